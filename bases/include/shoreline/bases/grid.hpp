@@ -1,0 +1,55 @@
+#pragma once
+// The background grid: cells that tile a part of the plane. It knows nothing of functions, nor of the body.
+
+#include <optional>
+#include <vector>
+
+#include "shoreline/bases/types.hpp"
+
+namespace shoreline {
+
+/// The line {x : normal·x = offset}; |normal| = 1.
+struct Line {
+  Vec2 normal;
+  double offset;  ///< [m]
+};
+
+/// An edge that two cells share; it runs from a to b with @ref cell on its left.
+struct Face {
+  Index cell;
+  Index neighbour;
+  Vec2 a;
+  Vec2 b;
+};
+
+/// Cells on each of which every function of a basis is one polynomial.
+///
+/// Cells are convex polygons numbered from 0. Everything that follows the edge of the body through the grid (trace,
+/// ghost faces, nearest active cell) is written against this class alone.
+class Grid {
+ public:
+  virtual ~Grid() = default;
+
+  [[nodiscard]] virtual Index cells() const = 0;
+
+  /// The smallest box that holds all cells.
+  [[nodiscard]] virtual Box bounds() const = 0;
+
+  /// The cell that holds @p x; none outside the grid. On an edge any of its cells.
+  /// @param hint  a cell near x (the one that held the point before), or 0
+  [[nodiscard]] virtual std::optional<Index> locate(const Vec2& x, Index hint) const = 0;
+
+  /// Vertices of a cell, counter-clockwise [m].
+  [[nodiscard]] virtual std::vector<Vec2> polygon(Index cell) const = 0;
+
+  /// The length h of a cell [m]: √(area) of a rectangle, √(2·area) of a triangle. Bands and penalties scale with it.
+  [[nodiscard]] virtual double size(Index cell) const = 0;
+
+  /// The lines on which edges of cells lie that meet @p box; more lines than that do no harm.
+  [[nodiscard]] virtual std::vector<Line> lines_near(const Box& box) const = 0;
+
+  /// The faces that a cell shares with others; the cell is on their left.
+  [[nodiscard]] virtual std::vector<Face> faces(Index cell) const = 0;
+};
+
+}  // namespace shoreline

@@ -1,0 +1,63 @@
+#pragma once
+// A contribution: one effect of a scene, as its part of stiffness and force. A new effect is a new class.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "shoreline/boundary/edge.hpp"
+#include "shoreline/engine/case.hpp"
+#include "shoreline/engine/element_blocks.hpp"
+#include "shoreline/engine/material_points.hpp"
+
+namespace shoreline {
+
+/// What every contribution sees at one load step: the state at its start, on the current curve.
+struct StepState {
+  const Basis& basis;
+  const MaterialPoints& points;
+  const PointSupports& supports;
+  const std::vector<Edge>& edges;  ///< one a boundary piece
+  Loading loading;
+  double t;         ///< at the end of the step
+  double t_before;  ///< at its start
+
+  /// A load that is prescribed as a function of time: its total (residual loading) or its increment, (E.3).
+  template <class Value>
+  [[nodiscard]] auto load(Value&& value) const {
+    auto total = value(t);
+    if (loading == Loading::incremental) total -= value(t_before);
+    return total;
+  }
+};
+
+/// Resultants by boundary piece (or effect): Fx, Fy, M about the origin [N, N, N m per metre of thickness].
+struct Resultants {
+  std::map<std::string, Vec3> loads;
+  std::map<std::string, Vec3> reactions;
+};
+
+/// (Fx, Fy, M about the origin) of a force at a point.
+[[nodiscard]] inline Vec3 resultant(const Vec2& x, const Vec2& force) {
+  return {force.x(), force.y(), cross(x, force)};
+}
+
+class Contribution {
+ public:
+  virtual ~Contribution() = default;
+
+  [[nodiscard]] virtual std::string name() const = 0;
+
+  /// Appends blocks: tangent, and force = external − internal at the start of the step (residual loading) or the
+  /// increment of external force (incremental loading).
+  virtual void add(const StepState& step, ElementBlocks& blocks) const = 0;
+
+  /// Takes note of the increment that the step found, before points and curves move.
+  /// @param increment  (2, functions) Δd [m]
+  virtual void accept(const StepState& step, const Eigen::Matrix2Xd& increment);
+
+  /// Adds what acts at the end of the step to the resultants.
+  virtual void report(Resultants& resultants) const;
+};
+
+}  // namespace shoreline

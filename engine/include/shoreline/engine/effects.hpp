@@ -1,0 +1,34 @@
+#pragma once
+// The effects that a scene can hold, each a contribution of its own file.
+
+#include <functional>
+#include <memory>
+
+#include "shoreline/engine/contribution.hpp"
+#include "shoreline/engine/material.hpp"
+
+namespace shoreline {
+
+/// The material: K = Σ Bᵀ D B V and internal force Σ Bᵀ σ V, (E.1).
+[[nodiscard]] std::unique_ptr<Contribution> stiffness_of(std::shared_ptr<const Material> material);
+
+/// A force per volume at the material points, f = Σ Mᵀ b V, (E.2).
+/// @param value  b at a place and time [N/m³]
+[[nodiscard]] std::unique_ptr<Contribution> body_force(std::function<Vec2(const PlaceTime&)> value);
+
+/// A traction on one boundary piece, f = ∫ Mᵀ t dS, (B.7).
+/// @param piece  number of the piece
+[[nodiscard]] std::unique_ptr<Contribution> traction_on(int piece, std::string piece_name, Traction traction);
+
+/// A pressure on one boundary piece, the traction p n, n inward, (B.8).
+[[nodiscard]] std::unique_ptr<Contribution> pressure_on(int piece, std::string piece_name, Pressure pressure);
+
+/// A piece held by the implicit boundary method or Nitsche's, (D.4). @pre condition.method is not grid
+[[nodiscard]] std::unique_ptr<Contribution> essential_on(int piece, std::string piece_name, Essential condition,
+                                                         std::shared_ptr<const Material> material);
+
+/// Ghost penalty over the faces of cells at the boundary, (G.1), for bases that are continuous and of degree 1.
+/// @param gamma  γ > 0
+[[nodiscard]] std::unique_ptr<Contribution> ghost_penalty(double gamma, std::shared_ptr<const Material> material);
+
+}  // namespace shoreline

@@ -1,0 +1,66 @@
+#pragma once
+// Sparse direct solution of one symmetric system: CHOLMOD, and UMFPACK where the matrix is not positive definite.
+
+#include <memory>
+#include <string>
+
+#include "shoreline/bases/error.hpp"
+#include "shoreline/engine/assembler.hpp"
+
+namespace shoreline {
+
+/// The matrix has no usable inverse, (L.2). @ref equation is where the factorisation came to its smallest pivot.
+class SingularMatrix : public Error {
+ public:
+  SingularMatrix(Index equation, double pivot);
+  [[nodiscard]] Index equation() const { return equation_; }
+  [[nodiscard]] double pivot() const { return pivot_; }  ///< of the matrix scaled to unit diagonal
+
+ private:
+  Index equation_;
+  double pivot_;
+};
+
+/// Solves K x = f for K scaled symmetrically by its diagonal, with one step of iterative refinement, (L.1).
+/// No SuiteSparse type appears here.
+class LinearSolver {
+ public:
+  LinearSolver();
+  ~LinearSolver();
+  LinearSolver(LinearSolver&&) noexcept;
+  LinearSolver& operator=(LinearSolver&&) noexcept;
+
+  /// Orders (AMD) and analyses a pattern; it holds for every later matrix of the same pattern.
+  void analyse(const SparseMatrix& matrix);
+
+  /// Factorises a matrix whose pattern was analysed.
+  /// @throws SingularMatrix if a pivot of the scaled matrix is below 1e-15
+  void factorize(const SparseMatrix& matrix);
+
+  /// @pre factorize was called
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side) const;
+
+  /// Smallest pivot of the scaled matrix; 0 where Cholesky fails.
+  [[nodiscard]] double smallest_pivot() const;
+
+  /// Whether Cholesky's factorisation exists; if not, the factors are those of a pivoted LU.
+  [[nodiscard]] bool positive_definite() const;
+
+  /// Where Cholesky met a pivot that is not positive; only if not positive_definite().
+  [[nodiscard]] Index negative_pivot_equation() const;
+
+  /// Estimate of ‖A‖₁‖A⁻¹‖₁ of the scaled matrix A from its factors (Hager 1984, Higham 1988), (L.3); a few solves.
+  [[nodiscard]] double condition_estimate() const;
+
+ private:
+  struct Factors;
+  std::unique_ptr<Factors> factors_;
+};
+
+/// Sets the threads that the BLAS uses.
+void set_blas_threads(int threads);
+
+/// Name and build of the BLAS at work, for instance "OpenBLAS 0.3.21 …".
+[[nodiscard]] std::string blas_name();
+
+}  // namespace shoreline

@@ -1,0 +1,43 @@
+#pragma once
+// Quasi-static load steps: the loop of the implicit material point method.
+
+#include <functional>
+#include <optional>
+
+#include "shoreline/engine/clock.hpp"
+#include "shoreline/engine/scene.hpp"
+
+namespace shoreline {
+
+/// What the load steps did and cost; filled as they go, so it tells of the steps before a failure, too.
+struct RunRecord {
+  int steps = 0;                 ///< completed
+  Index degrees_of_freedom = 0;  ///< of the last step
+  Clock phases;
+  Clock effects;          ///< assembly, by contribution
+  Resultants resultants;  ///< at the end of the last step
+  std::vector<std::string> warnings;
+  std::optional<double> condition_estimate;  ///< of the last step's scaled matrix, where asked for
+  double extended_share = 0.0;               ///< largest share of a piece served by a neighbour's polynomials
+  double largest_increment = 0.0;            ///< max |Δd| of the last step [m]
+  long factorisations = 0;
+  long analyses = 0;
+};
+
+struct QuasiStaticOptions {
+  bool condition_estimate = false;
+  /// Called with the number of a completed step, when points and curves have moved.
+  std::function<void(int)> after_step = [](int) {};
+};
+
+/// Runs all load steps of a scene: K Δd = f, one linear solution a step, (E.3); points, stresses and curves move after
+/// it.
+///
+/// Step k of N brings the loads to t = k/N. Residual loading balances the whole load against the stresses and the
+/// supports' reactions carried so far; incremental loading adds increments and never looks back.
+///
+/// @throws ComputationError with step, place and remedy: no unique solution, a point or curve outside the grid, a value
+///         that is not finite
+void run_load_steps(Scene& scene, const QuasiStaticOptions& options, RunRecord& record);
+
+}  // namespace shoreline

@@ -1,0 +1,73 @@
+#pragma once
+// What a run leaves behind, as plain data: one saved step, and the summary.
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "shoreline/bases/types.hpp"
+
+namespace shoreline {
+
+/// State of the body at the end of one load step; step 0 is the start.
+struct SavedStep {
+  int step = 0;
+  double t = 0.0;                 ///< step/N of a quasi-static run [1], or [s]
+  Eigen::Matrix2Xd position;      ///< (2, points) [m]
+  Eigen::Matrix2Xd displacement;  ///< (2, points) [m]
+  Eigen::Matrix4Xd stress;        ///< (4, points) xx, yy, xy, zz [Pa]
+  Eigen::Matrix3Xd strain;        ///< (3, points) xx, yy, xy (engineering)
+  Eigen::VectorXd volume;         ///< (points) [m³ per metre of thickness]
+  struct Curve {
+    std::string name;
+    Eigen::Matrix2Xd points;    ///< (2, tracking points) [m]
+    Eigen::Matrix2Xd polyline;  ///< (2, m) the spline, sampled for drawing [m]
+  };
+  std::vector<Curve> curves;
+};
+
+/// Norms of the error against the exact solution, (N.1)–(N.4). A relative error whose exact value vanishes is missing.
+struct ErrorNorms {
+  struct Component {
+    std::optional<double> mean_relative;
+    double mean_absolute = 0.0;
+    double max_absolute = 0.0;
+  };
+  std::optional<double> displacement_l2_relative;
+  std::array<Component, 2> displacement;  ///< u, v [m]
+  std::optional<double> stress_l2_relative;
+  std::array<Component, 3> stress;                         ///< xx, yy, xy [Pa]
+  std::map<std::string, double> boundary_l2_displacement;  ///< per essential piece [m]
+};
+
+/// Everything in summary.json.
+struct Summary {
+  std::string title;
+  bool completed = false;
+  std::string message;
+  std::string analysis = "quasi_static";
+  std::string basis;
+  Index degrees_of_freedom = 0;
+  Index material_points = 0;
+  int steps = 0;
+  int threads = 1;
+  struct Effect {
+    std::string name;
+    long calls = 0;
+    double seconds = 0.0;
+  };
+  std::vector<Effect> effects;
+  std::optional<ErrorNorms> errors;
+  std::vector<std::pair<std::string, double>> timings;  ///< [s], in the order in which the phases first ran
+  std::map<std::string, Vec3> reactions;                ///< Fx, Fy, M about the origin, per metre of thickness
+  std::map<std::string, Vec3> loads;
+  std::optional<double> condition_estimate;
+  std::vector<std::string> warnings;
+  double extended_share = 0.0;  ///< largest share of a piece that lies in cells without material points
+  std::map<std::string, long> counters;
+};
+
+}  // namespace shoreline

@@ -1,0 +1,57 @@
+#pragma once
+// The files of a run: results.h5 for programs, results.xdmf beside it for viewers.
+
+#include <filesystem>
+#include <string>
+
+#include "shoreline/bases/grid.hpp"
+#include "shoreline/engine/results.hpp"
+
+namespace shoreline {
+
+/// Writes saved steps to results.h5 and results.xdmf, which ParaView opens as it is.
+///
+/// results.h5, arrays row by row, one row a point; each carries its unit as the attribute "unit":
+///
+///     steps/000012                    attributes step, t
+///       points/position               (n, 3) [m], z = 0: viewers live in space
+///       points/displacement           (n, 3) [m], z = 0
+///       points/stress                 (n, 4) xx, yy, xy, zz [Pa]
+///       points/strain                 (n, 3) xx, yy, xy (engineering) [1]
+///       points/volume                 (n) [m^2], m³ per metre of thickness
+///       curves/NAME/points            (k, 3) tracking points [m]
+///       curves/NAME/polyline          (m, 3) the spline, sampled [m]
+///     grid/edges                      (e, 4) x, y of both ends [m]
+///     connectivity                    the cells of results.xdmf
+///
+/// NAME is the boundary's, with '/', ':', '|', '%' and control characters as %XX; its attribute "name" is the name
+/// itself. The file is closed between two steps: it can be read while the run goes on, and after it was killed.
+class ResultsWriter {
+ public:
+  /// Creates @p folder and an empty results.h5 in it. Removes what an earlier run left there of summary.json,
+  /// results.xdmf and deformed.png, so that no old result lies beside a new one.
+  ///
+  /// @param title  of the case
+  /// @param grid   drawn in the picture where it has at most 10⁴ cells
+  /// @throws OutputError with path and reason
+  ResultsWriter(std::filesystem::path folder, const std::string& title, const Grid& grid);
+  ~ResultsWriter();
+  ResultsWriter(const ResultsWriter&) = delete;
+  ResultsWriter& operator=(const ResultsWriter&) = delete;
+
+  /// Appends one step to results.h5 and rewrites results.xdmf, by rename; beyond 50 steps with every 2 % more of them
+  /// and at the end, so that its cost stays in proportion.
+  /// @throws OutputError with path and reason
+  void write(const SavedStep& step);
+
+ private:
+  void write_index();
+
+  std::filesystem::path folder_;
+  int saved_ = 0;            ///< steps in results.h5
+  int indexed_ = 0;          ///< of them in results.xdmf
+  std::string point_grids_;  ///< of results.xdmf, one a step
+  std::string curve_grids_;
+};
+
+}  // namespace shoreline

@@ -1,0 +1,48 @@
+#pragma once
+// A scene: what a run computes with. It holds the effects that its case names, and nothing of any other.
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "shoreline/boundary/outline.hpp"
+#include "shoreline/engine/assembler.hpp"
+#include "shoreline/engine/contribution.hpp"
+#include "shoreline/engine/error_norms.hpp"
+#include "shoreline/engine/material.hpp"
+
+namespace shoreline {
+
+/// A boundary piece with what acts on it.
+struct BoundaryPiece {
+  Piece piece;
+  Condition condition;
+};
+
+struct Scene {
+  std::unique_ptr<const Basis> basis;
+  std::shared_ptr<const Material> material;
+  MaterialPoints points;
+  std::vector<BoundaryPiece> boundary;
+  std::vector<std::vector<int>> loops;  ///< pieces in order, joined end to start
+  std::vector<std::unique_ptr<Contribution>> contributions;
+  Loading loading = Loading::residual;
+  int load_steps = 1;
+  std::optional<ExactSolution> exact;
+};
+
+/// Turns a case into a scene.
+/// @throws CaseError with the key at fault where the outline does not bound a body inside the grid, or holds no points
+[[nodiscard]] Scene build_scene(const Case& problem);
+
+/// The displacement components that pieces with method `grid` prescribe at one step; each once.
+///
+/// Along every segment of such a piece, the functions of its cell that do not vanish there.
+///
+/// @throws InvalidArgument naming piece and position where a piece leaves the grid lines, or where a roller's line is
+/// not
+///         parallel to an axis
+[[nodiscard]] std::vector<Constraint> grid_constraints(const Basis& basis, const std::vector<BoundaryPiece>& boundary,
+                                                       const std::vector<Edge>& edges);
+
+}  // namespace shoreline

@@ -1,0 +1,22 @@
+#pragma once
+// Boundary pieces and expressions of a case.
+
+#include <map>
+
+#include "node.hpp"
+#include "shoreline/engine/case.hpp"
+
+namespace shoreline {
+
+using Constants = std::map<std::string, double>;
+
+/// A number, which ramps, or a formula.
+[[nodiscard]] Quantity read_quantity(const Node& node, const Constants& constants);
+
+/// A formula, or a number that does not ramp.
+[[nodiscard]] Expression read_expression(const Node& node, const Constants& constants);
+
+/// @throws CaseError for points that make no piece, names that repeat, a band where there is none
+[[nodiscard]] std::vector<Case::Boundary> read_boundaries(const Node& node, const Constants& constants);
+
+}  // namespace shoreline

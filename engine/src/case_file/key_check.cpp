@@ -1,0 +1,155 @@
+// Checks JSON against the table of keys, and fills in defaults.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "keys.hpp"
+#include "nearest.hpp"
+#include "shoreline/boundary/conditions.hpp"
+
+namespace shoreline::keys {
+namespace {
+
+bool contains(const Range& range, double x) {
+  return (range.lower_open ? x > range.lower : x >= range.lower) &&
+         (range.upper_open ? x < range.upper : x <= range.upper);
+}
+
+/// Whether a value is, by its JSON type, meant for an alternative.
+bool fits_type(const Schema& schema, const Json& value) {
+  return std::visit(
+      Overloaded{[&](const Object& object) { return value.is_object() && value.contains(object.keys.front().name); },
+                 [&](const List&) { return value.is_array(); }, [&](const Number&) { return value.is_number(); },
+                 [&](const Integer&) { return value.is_number(); }, [](const auto&) { return false; }},
+      schema.kind);
+}
+
+class Checker {
+ public:
+  explicit Checker(std::string file) : file_(std::move(file)) {}
+
+  void check(const Schema& schema, Json& value) {
+    std::visit([&](const auto& kind) { check_kind(kind, schema, value); }, schema.kind);
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& problem) const {
+    Place place{file_, {}};
+    for (const std::string& step : path_) place = place / step;
+    place.fail(problem);
+  }
+  void expect(bool holds, const Schema& schema, const Json& value) const {
+    if (!holds) fail(fmt::format("found {}, expected {}", described(value), in_words(schema)));
+  }
+  void check_at(const std::string& step, const Schema& schema, Json& value) {
+    path_.push_back(step);
+    check(schema, value);
+    path_.pop_back();
+  }
+
+  void check_kind(const Number& number, const Schema& schema, const Json& value) const {
+    expect(value.is_number() && contains(number.range, value.get<double>()), schema, value);
+  }
+  void check_kind(const Integer& whole, const Schema& schema, Json& value) const {
+    expect(value.is_number(), schema, value);
+    const double number = value.get<double>();
+    expect(number >= whole.lower && number <= whole.upper && number == std::floor(number), schema, value);
+    value = static_cast<int>(number);  // 8.0 is a whole number too
+  }
+  void check_kind(const Boolean&, const Schema& schema, const Json& value) const {
+    expect(value.is_boolean(), schema, value);
+  }
+  void check_kind(const Text&, const Schema& schema, const Json& value) const {
+    expect(value.is_string(), schema, value);
+  }
+  void check_kind(const Name&, const Schema& schema, const Json& value) const {
+    expect(value.is_string(), schema, value);
+    const auto& name = value.get_ref<const std::string&>();
+    const auto refused = [](char c) { return c == '/' || c == '.' || (c >= 0 && c < ' '); };
+    expect(!name.empty() && std::ranges::none_of(name, refused), schema, value);
+  }
+  void check_kind(const Choice& choice, const Schema& schema, const Json& value) const {
+    expect(value.is_string(), schema, value);
+    const auto& word = value.get_ref<const std::string&>();
+    if (!std::ranges::count(choice.words, word))
+      fail(fmt::format("found {}, {}", described(value), expected_one_of(choice.words, word)));
+  }
+  void check_kind(const Formula&, const Schema& schema, const Json& value) const {
+    expect(value.is_number() || value.is_string(), schema, value);
+  }
+  void check_kind(const List& list, const Schema& schema, Json& value) {
+    expect(value.is_array() && value.size() >= list.at_least && value.size() <= list.at_most, schema, value);
+    for (std::size_t i = 0; i < value.size(); ++i) check_at(std::to_string(i), *list.entry, value[i]);
+  }
+  void check_kind(const NumberMap& map, const Schema& schema, Json& value) {
+    expect(value.is_object(), schema, value);
+    for (auto& [name, number] : value.items()) check_at(name, {Number{map.range}}, number);
+  }
+  void check_kind(const Either& either, const Schema& schema, Json& value) {
+    const Schema& meant = alternative(either, value);
+    if (!fits_type(meant, value) && !value.is_object()) expect(false, schema, value);
+    check(meant, value);
+  }
+  void check_kind(const Object& object, const Schema& schema, Json& value) {
+    expect(value.is_object(), schema, value);
+    check_keys(object, names(object), value);
+  }
+  void check_kind(const Tagged& tagged, const Schema& schema, Json& value) {
+    expect(value.is_object(), schema, value);
+    const std::vector<std::string> types = names(tagged);
+    if (!value.contains("type")) fail("key \"type\" is missing, " + expected_one_of(types, ""));
+    path_.emplace_back("type");
+    check_kind(Choice{types}, {Choice{types}}, value["type"]);
+    path_.pop_back();
+    const auto chosen = std::ranges::find(types, value["type"].get_ref<const std::string&>());
+    const Object& object = tagged.alternatives[static_cast<std::size_t>(chosen - types.begin())].second;
+    std::vector<std::string> allowed = names(object);
+    allowed.insert(allowed.begin(), "type");
+    check_keys(object, allowed, value);
+  }
+
+  void check_keys(const Object& object, const std::vector<std::string>& allowed, Json& value) {
+    for (const auto& [name, entry] : value.items())
+      if (!std::ranges::count(allowed, name)) {
+        const std::string problem =
+            fmt::format("found unknown key {}, {}", Json(name).dump(), expected_one_of(allowed, name));
+        fail(problem);
+      }
+    check_exactly_one(object, value);
+    for (const Key& key : object.keys) {
+      if (!value.contains(key.name)) {
+        if (key.required) fail(fmt::format("key \"{}\" is missing, expected {}", key.name, in_words(key.schema)));
+        if (key.fallback.is_null()) continue;
+        value[key.name] = key.fallback;
+      }
+      check_at(key.name, key.schema, value[key.name]);
+    }
+  }
+
+  void check_exactly_one(const Object& object, const Json& value) const {
+    if (object.exactly_one.empty()) return;
+    std::vector<std::string> found;
+    for (const std::string& name : object.exactly_one)
+      if (value.contains(name)) found.push_back(name);
+    if (found.size() != 1)
+      fail(fmt::format("found {}, expected exactly one of \"{}\"",
+                       found.empty() ? "none" : fmt::format("\"{}\"", fmt::join(found, "\" and \"")),
+                       fmt::join(object.exactly_one, "\", \"")));
+  }
+
+  std::string file_;
+  std::vector<std::string> path_;
+};
+
+}  // namespace
+
+const Schema& alternative(const Either& either, const Json& value) {
+  const auto meant = std::ranges::find_if(either.alternatives, [&](const Schema& s) { return fits_type(s, value); });
+  return meant == either.alternatives.end() ? either.alternatives.back() : *meant;
+}
+
+void check(const Schema& schema, Json& value, const std::string& file) { Checker(file).check(schema, value); }
+
+}  // namespace shoreline::keys

@@ -1,0 +1,70 @@
+// The table of keys as a page for people, in Markdown.
+
+#include <fmt/format.h>
+
+#include "keys.hpp"
+#include "shoreline/boundary/conditions.hpp"
+
+namespace shoreline::keys {
+namespace {
+
+/// The keys of one object, as one printed table.
+struct Section {
+  std::string path;       ///< of the object, "" for the whole case
+  std::string condition;  ///< under which it has these keys, "" if always
+  const Object* object;
+};
+
+/// The objects that may stand at a path.
+void collect(const Schema& schema, const std::string& path, std::vector<Section>& sections) {
+  std::visit(Overloaded{[&](const Object& object) {
+                          sections.push_back({path, "", &object});
+                        },
+                        [&](const Tagged& tagged) {
+                          for (const auto& [name, object] : tagged.alternatives)
+                            sections.push_back({path, "`\"type\": \"" + name + "\"`", &object});
+                        },
+                        [&](const Either& either) {
+                          for (const Schema& one : either.alternatives) {
+                            collect(one, path, sections);
+                            if (const auto* object = std::get_if<Object>(&one.kind))
+                              sections.back().condition = "`" + object->keys.front().name + "`";
+                          }
+                        },
+                        [&](const List& list) { collect(*list.entry, path + "[]", sections); }, [](const auto&) {}},
+             schema.kind);
+}
+
+std::string presence(const Key& key, const Object& object) {
+  for (const std::string& name : object.exactly_one)
+    if (name == key.name) return "exactly one of these";
+  if (key.required) return "required";
+  return key.fallback.is_null() || key.fallback.empty() ? "–" : fmt::format("`{}`", key.fallback.dump());
+}
+
+/// A heading, the keys, and every object below them.
+void print(const Section& section, std::string& page) {
+  if (!section.path.empty()) page += "\n## `" + section.path + "`";
+  if (!section.condition.empty()) page += " with " + section.condition;
+  page += "\n\n| key | value | unit | default | meaning |\n| --- | --- | --- | --- | --- |\n";
+  for (const Key& key : section.object->keys)
+    page += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.name, in_words(key.schema), key.unit,
+                        presence(key, *section.object), key.meaning);
+  for (const Key& key : section.object->keys) {
+    std::vector<Section> below;
+    collect(key.schema, section.path.empty() ? key.name : section.path + "." + key.name, below);
+    for (const Section& inner : below) print(inner, page);
+  }
+}
+
+}  // namespace
+
+std::string reference_page(const Schema& schema) {
+  std::vector<Section> top;
+  collect(schema, "", top);
+  std::string page;
+  for (const Section& section : top) print(section, page);
+  return page;
+}
+
+}  // namespace shoreline::keys

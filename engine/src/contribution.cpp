@@ -1,0 +1,9 @@
+#include "shoreline/engine/contribution.hpp"
+
+namespace shoreline {
+
+void Contribution::accept(const StepState& /*step*/, const Eigen::Matrix2Xd& /*increment*/) {}
+
+void Contribution::report(Resultants& /*resultants*/) const {}
+
+}  // namespace shoreline

@@ -1,0 +1,23 @@
+#pragma once
+// Why a system has no unique solution, in the user's words.
+
+#include <optional>
+#include <string>
+
+#include "shoreline/engine/assembler.hpp"
+#include "shoreline/engine/contribution.hpp"
+
+namespace shoreline {
+
+/// Parts of the body that can move as rigid bodies without resistance: a sentence on the first, or none.
+///
+/// A part is a set of cells joined by functions. Its rigid motions are tested against all blocks and constraints,
+/// (L.4).
+[[nodiscard]] std::optional<std::string> free_motion(const StepState& step, const ElementBlocks& blocks,
+                                                     const std::vector<Constraint>& constraints);
+
+/// Where an unknown sits, how much material its function sees, and what to try.
+/// @param unknown  2·function + component
+[[nodiscard]] std::string weak_unknown(const StepState& step, Index unknown);
+
+}  // namespace shoreline

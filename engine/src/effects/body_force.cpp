@@ -1,0 +1,52 @@
+#include "shoreline/engine/effects.hpp"
+
+namespace shoreline {
+namespace {
+
+class BodyForce final : public Contribution {
+ public:
+  explicit BodyForce(std::function<Vec2(const PlaceTime&)> value) : value_(std::move(value)) {}
+
+  [[nodiscard]] std::string name() const override { return "body_force"; }
+
+  void add(const StepState& step, ElementBlocks& blocks) const override {
+    Eigen::Matrix2Xd force = Eigen::Matrix2Xd::Zero(2, step.basis.functions());
+    const auto n = static_cast<std::size_t>(step.supports.functions);
+    for (std::size_t c = 0; c < step.supports.cell.size(); ++c) {
+      const ShortIndices functions = step.basis.functions_of(step.supports.cell[c]);
+      for (auto k = static_cast<std::size_t>(step.supports.first[c]);
+           k < static_cast<std::size_t>(step.supports.first[c + 1]); ++k) {
+        const Vec2 at_point = force_of(step, step.supports.point[k]);
+        for (std::size_t a = 0; a < n; ++a)
+          force.col(functions[static_cast<Eigen::Index>(a)]) += step.supports.value[k * n + a] * at_point;
+      }
+    }
+    for (Index f = 0; f < step.basis.functions(); ++f)
+      if (!force.col(f).isZero(0.0)) blocks.force_of(blocks.append(std::array{f})) += force.col(f);
+  }
+
+  void accept(const StepState& step, const Eigen::Matrix2Xd& /*increment*/) override {
+    if (step.loading == Loading::residual) total_.setZero();
+    for (Index p = 0; p < step.points.size(); ++p) total_ += resultant(step.points.position.col(p), force_of(step, p));
+  }
+
+  void report(Resultants& resultants) const override { resultants.loads[name()] = total_; }
+
+ private:
+  [[nodiscard]] Vec2 force_of(const StepState& step, Index p) const {
+    const Vec2 x = step.points.position.col(p);
+    const Vec2 origin = x - step.points.displacement.col(p);
+    return step.points.volume[p] * step.load([&](double t) -> Vec2 { return value_({x, origin, t}); });
+  }
+
+  std::function<Vec2(const PlaceTime&)> value_;
+  Vec3 total_ = Vec3::Zero();
+};
+
+}  // namespace
+
+std::unique_ptr<Contribution> body_force(std::function<Vec2(const PlaceTime&)> value) {
+  return std::make_unique<BodyForce>(std::move(value));
+}
+
+}  // namespace shoreline

@@ -1,0 +1,122 @@
+#include "shoreline/engine/fill.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace shoreline {
+namespace {
+
+constexpr double on_lattice = 1e-9;  ///< of a sub-cell: how far off the outline a point of a vertex lattice may lie
+
+Box bounds(std::span<const SplineCurve> curves) {
+  Box box{Vec2::Constant(INFINITY), Vec2::Constant(-INFINITY)};
+  for (const SplineCurve& curve : curves)
+    for (const CubicSpan& span : curve.spans) {
+      box.lower = box.lower.cwiseMin(span.bounds().lower);
+      box.upper = box.upper.cwiseMax(span.bounds().upper);
+    }
+  return box;
+}
+
+/// The sub-cells of those grid cells that meet the body.
+QuadrilateralGrid sub_cells(const Box& body, const QuadrilateralGrid& grid, const std::array<int, 2>& per_cell) {
+  const Box all = grid.bounds();
+  Vec2 lower;
+  std::array<Index, 2> count{};
+  for (int axis = 0; axis < 2; ++axis) {
+    const Index most = (axis == 0 ? grid.columns() : grid.rows());
+    const double h = grid.spacing()[axis];
+    const double first = std::max(std::floor((body.lower[axis] - all.lower[axis]) / h - on_lattice), 0.0);
+    const double last = std::min(std::ceil((body.upper[axis] - all.lower[axis]) / h + on_lattice), double(most));
+    lower[axis] = grid.line(axis, static_cast<Index>(first));
+    count[static_cast<std::size_t>(axis)] = static_cast<Index>(last - first) * per_cell[static_cast<std::size_t>(axis)];
+  }
+  return {lower, grid.spacing().cwiseQuotient(Vec2(per_cell[0], per_cell[1])), count};
+}
+
+Vec2 centre(const QuadrilateralGrid& lattice, Index cell) { return lattice.corner(cell) + 0.5 * lattice.spacing(); }
+
+/// Points at chosen places of the covered cells.
+/// @param place  (k, cell) → whether there is a point, where, and its volume
+template <class Place>
+MaterialPoints place_points(const CellMoments& covered, Place&& place) {
+  Eigen::Matrix2Xd position(2, static_cast<Eigen::Index>(covered.cell.size()));
+  Eigen::VectorXd volume(position.cols());
+  Eigen::Index n = 0;
+  for (std::size_t k = 0; k < covered.cell.size(); ++k)
+    if (const auto at = place(static_cast<Eigen::Index>(k), covered.cell[k])) {
+      position.col(n) = at->first;
+      volume[n++] = at->second;
+    }
+  position.conservativeResize(2, n);
+  volume.conservativeResize(n);
+  return points_at(std::move(position), std::move(volume));
+}
+
+using Placed = std::optional<std::pair<Vec2, double>>;
+
+}  // namespace
+
+MaterialPoints fill_lattice(std::span<const SplineCurve> curves, const QuadrilateralGrid& grid,
+                            const Case::LatticeFill& fill) {
+  const QuadrilateralGrid lattice = sub_cells(bounds(curves), grid, fill.per_cell);
+  const CellMoments covered = cell_moments(curves, lattice, 1);
+  if (fill.volumes == VolumeRule::clipped)
+    return place_points(covered, [&](Eigen::Index k, Index cell) -> Placed {
+      const auto moment = covered.moment.col(k);
+      return std::pair(Vec2(centre(lattice, cell) + moment.segment<2>(1) / moment[0]), moment[0]);
+    });
+  const Region region({curves.begin(), curves.end()});
+  return place_points(covered, [&](Eigen::Index, Index cell) -> Placed {
+    if (!region.contains(centre(lattice, cell))) return std::nullopt;
+    return std::pair(centre(lattice, cell), lattice.spacing().prod());
+  });
+}
+
+MaterialPoints fill_vertex(std::span<const SplineCurve> curves, const Vec2& cell_size, const Case::VertexFill& fill) {
+  const Box body = bounds(curves);
+  const Vec2 spacing = cell_size.cwiseQuotient(Vec2(fill.per_cell[0], fill.per_cell[1]));
+  const Vec2 across = (body.upper - body.lower).cwiseQuotient(spacing);
+  const Vec2 whole = across.array().round();
+  if ((across - whole).cwiseAbs().maxCoeff() > on_lattice * across.maxCoeff() || whole.minCoeff() < 1.0)
+    throw InvalidArgument(fmt::format(
+        "the body is {:.6g} x {:.6g} sub-cells of {:.6g} m x {:.6g} m; fill \"vertex\" needs whole numbers (change "
+        "per_cell or the outline, or use fill \"lattice\")",
+        across.x(), across.y(), spacing.x(), spacing.y()));
+  const QuadrilateralGrid lattice(body.lower - 0.5 * spacing, spacing,
+                                  {static_cast<Index>(whole.x()) + 1, static_cast<Index>(whole.y()) + 1});
+  const CellMoments covered = cell_moments(curves, lattice, 0);
+  const Region region({curves.begin(), curves.end()});
+  double area = 0.0;
+  MaterialPoints points = place_points(covered, [&](Eigen::Index k, Index cell) -> Placed {
+    const Vec2 x = centre(lattice, cell);
+    if (!region.contains(x) && !region.near_outline(x, on_lattice * spacing.maxCoeff())) return std::nullopt;
+    area += covered.moment(0, k);
+    return std::pair(x, fill.adjusted ? covered.moment(0, k) : spacing.prod());
+  });
+  if (std::abs(area - region.area()) > on_lattice * region.area())
+    throw InvalidArgument(fmt::format(
+        "points of a lattice with spacing {:.6g} m x {:.6g} m hold {:.6g} m² of the body's {:.6g} m²; fill \"vertex\" "
+        "needs an outline along the lattice (use fill \"lattice\")",
+        spacing.x(), spacing.y(), area, region.area()));
+  return points;
+}
+
+void mark_outline(const Region& region, double tolerance, MaterialPoints& points) {
+  constexpr int directions = 16;
+  for (Index p = 0; p < points.size(); ++p) {
+    const Vec2 x = points.position.col(p);
+    if (!region.near_outline(x, tolerance)) continue;
+    Vec2 inward = Vec2::Zero();
+    for (int k = 0; k < directions; ++k) {
+      const double angle = 2.0 * std::numbers::pi * (k + 0.5) / directions;
+      const Vec2 direction(std::cos(angle), std::sin(angle));
+      if (region.contains(x + 1e3 * tolerance * direction)) inward += direction;
+    }
+    if (inward.norm() > 1e-3) points.on_outline.push_back({p, inward.normalized()});
+  }
+}
+
+}  // namespace shoreline

@@ -1,0 +1,125 @@
+#include "shoreline/engine/results_writer.hpp"
+
+#include <system_error>
+
+#include "atomic_file.hpp"
+#include "hdf5_file.hpp"
+#include "shoreline/engine/failures.hpp"
+#include "xdmf.hpp"
+
+namespace shoreline {
+namespace {
+
+constexpr Index most_drawn_cells = 10000;
+
+Eigen::Matrix3Xd in_space(const Eigen::Matrix2Xd& plane) {
+  Eigen::Matrix3Xd space = Eigen::Matrix3Xd::Zero(3, plane.cols());
+  space.topRows<2>() = plane;
+  return space;
+}
+
+/// (4, edges) both ends of the edges of all cells; inner edges are there twice.
+Eigen::Matrix4Xd edges(const Grid& grid) {
+  std::vector<Eigen::Vector4d> found;
+  for (Index cell = 0; cell < grid.cells(); ++cell) {
+    const std::vector<Vec2> corner = grid.polygon(cell);
+    for (std::size_t i = 0; i < corner.size(); ++i) {
+      const Vec2& next = corner[(i + 1) % corner.size()];
+      found.emplace_back(corner[i].x(), corner[i].y(), next.x(), next.y());
+    }
+  }
+  return Eigen::Map<const Eigen::Matrix4Xd>(found.data()->data(), 4, static_cast<Eigen::Index>(found.size()));
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem) throw OutputError(folder.string() + ": cannot make this folder: " + problem.message());
+}
+
+void remove_old(const std::filesystem::path& folder) {
+  for (const char* name : {"summary.json", "results.xdmf", "deformed.png"}) {
+    std::error_code problem;
+    std::filesystem::remove(folder / name, problem);
+    if (problem) throw OutputError((folder / name).string() + ": cannot remove: " + problem.message());
+  }
+}
+
+void write_cells(Hdf5File& file, const std::string& path, Eigen::Index points, bool in_one_line) {
+  if (file.contains(path)) return;
+  const Eigen::MatrixXi numbers = Eigen::RowVectorXi::LinSpaced(points, 0, static_cast<int>(points - 1));
+  file.write_table(path, in_one_line ? Eigen::MatrixXi(numbers.transpose()) : numbers);
+}
+
+void write_points(Hdf5File& file, const SavedStep& step) {
+  const std::string points = step_group(step) + "/points/";
+  file.write_rows(points + "position", in_space(step.position), "m");
+  file.write_rows(points + "displacement", in_space(step.displacement), "m");
+  file.write_rows(points + "stress", step.stress, "Pa");
+  file.set_attribute(points + "stress", "components", "xx yy xy zz");
+  file.write_rows(points + "strain", step.strain, "1");
+  file.set_attribute(points + "strain", "components", "xx yy xy (engineering)");
+  file.write_numbers(points + "volume", step.volume, "m^2");
+  write_cells(file, vertices_table(step.volume.size()), step.volume.size(), false);
+}
+
+void write_curve(Hdf5File& file, const std::string& group, const SavedStep::Curve& curve) {
+  file.make_group(group);
+  file.set_attribute(group, "name", curve.name);
+  file.write_rows(group + "/points", in_space(curve.points), "m");
+  file.write_rows(group + "/polyline", in_space(curve.polyline), "m");
+  write_cells(file, line_table(curve.polyline.cols()), curve.polyline.cols(), true);
+}
+
+/// At least what a step takes in the file, with HDF5's own records.
+std::uintmax_t bytes_of(const SavedStep& step) {
+  Eigen::Index numbers = 14 * step.volume.size() + step.volume.size();
+  for (const SavedStep::Curve& curve : step.curves) numbers += 3 * curve.points.cols() + 4 * curve.polyline.cols();
+  const std::size_t records = 65536 + 8192 * step.curves.size();
+  return static_cast<std::uintmax_t>(numbers) * sizeof(double) + records;
+}
+
+}  // namespace
+
+ResultsWriter::ResultsWriter(std::filesystem::path folder, const std::string& title, const Grid& grid)
+    : folder_(std::move(folder)) {
+  make_folder(folder_);
+  remove_old(folder_);
+  Hdf5File file(folder_ / "results.h5", Hdf5File::Mode::create);
+  file.set_attribute("/", "title", title);
+  file.make_group("/steps");
+  file.make_group("/connectivity");
+  if (grid.cells() <= most_drawn_cells) file.write_rows("/grid/edges", edges(grid), "m");
+  file.close();
+}
+
+ResultsWriter::~ResultsWriter() {
+  try {
+    if (indexed_ < saved_) write_index();
+  } catch (const OutputError&) {  // results.h5 is complete; the index lacks the last 2 % of its steps
+  }
+}
+
+void ResultsWriter::write(const SavedStep& step) {
+  reserve(folder_ / "results.h5", bytes_of(step));
+  Hdf5File file(folder_ / "results.h5", Hdf5File::Mode::append);
+  file.make_group(step_group(step));
+  file.set_attribute(step_group(step), "step", step.step);
+  file.set_attribute(step_group(step), "t", step.t);
+  write_points(file, step);
+  for (const SavedStep::Curve& curve : step.curves)
+    write_curve(file, step_group(step) + "/curves/" + link_name(curve.name), curve);
+  file.close();
+
+  point_grids_ += point_grid(step);
+  curve_grids_ += curve_grid(step);
+  ++saved_;
+  if (saved_ > indexed_ + indexed_ / 50) write_index();
+}
+
+void ResultsWriter::write_index() {
+  write_atomically(folder_ / "results.xdmf", xdmf(curve_grids_, point_grids_));
+  indexed_ = saved_;
+}
+
+}  // namespace shoreline

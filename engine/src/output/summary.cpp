@@ -1,0 +1,86 @@
+#include "shoreline/engine/summary.hpp"
+
+#include <sys/resource.h>
+
+#include <nlohmann/json.hpp>
+
+#include "atomic_file.hpp"
+#include "shoreline/engine/version.hpp"
+
+namespace shoreline {
+namespace {
+
+using Json = nlohmann::ordered_json;  // writes numbers that are not finite as null
+
+Json number_or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
+
+template <std::size_t n>
+Json component_norms(const std::optional<double>& l2_relative, const std::array<ErrorNorms::Component, n>& components) {
+  Json norms = {{"l2_relative", number_or_null(l2_relative)},
+                {"mean_relative", Json::array()},
+                {"mean_absolute", Json::array()},
+                {"max_absolute", Json::array()}};
+  for (const ErrorNorms::Component& component : components) {
+    norms["mean_relative"].push_back(number_or_null(component.mean_relative));
+    norms["mean_absolute"].push_back(component.mean_absolute);
+    norms["max_absolute"].push_back(component.max_absolute);
+  }
+  return norms;
+}
+
+Json error_norms(const ErrorNorms& errors) {
+  Json boundary = Json::object();
+  for (const auto& [name, l2] : errors.boundary_l2_displacement) boundary[name] = {{"l2_displacement", l2}};
+  return {{"displacement", component_norms(errors.displacement_l2_relative, errors.displacement)},
+          {"stress", component_norms(errors.stress_l2_relative, errors.stress)},
+          {"boundary", boundary}};
+}
+
+Json resultants(const std::map<std::string, Vec3>& of_pieces) {
+  Json json = Json::object();
+  for (const auto& [name, resultant] : of_pieces) json[name] = {resultant[0], resultant[1], resultant[2]};
+  return json;
+}
+
+long long peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024LL * usage.ru_maxrss;
+}
+
+void add_costs(const Summary& summary, Json& json) {
+  json["effects"] = Json::array();
+  json["effect_costs"] = Json::object();
+  for (const Summary::Effect& effect : summary.effects) {
+    json["effects"].push_back(effect.name);
+    json["effect_costs"][effect.name] = {{"calls", effect.calls}, {"seconds", effect.seconds}};
+  }
+  json["timings"] = Json::object();
+  for (const auto& [phase, seconds] : summary.timings) json["timings"][phase] = seconds;
+  json["counters"] = summary.counters;
+  json["peak_memory_bytes"] = peak_memory_bytes();
+}
+
+}  // namespace
+
+void write_summary(const Summary& summary, const std::filesystem::path& folder) {
+  Json json = {{"title", summary.title},
+               {"status", summary.completed ? "completed" : "failed"},
+               {"message", summary.message},
+               {"warnings", summary.warnings},
+               {"analysis", summary.analysis},
+               {"basis", summary.basis},
+               {"degrees_of_freedom", summary.degrees_of_freedom},
+               {"material_points", summary.material_points},
+               {"steps", summary.steps},
+               {"threads", summary.threads},
+               {"version", version()}};
+  if (summary.errors) json["errors"] = error_norms(*summary.errors);
+  json["reactions"] = resultants(summary.reactions);
+  json["loads"] = resultants(summary.loads);
+  add_costs(summary, json);
+  if (summary.condition_estimate) json["condition_estimate"] = *summary.condition_estimate;
+  write_atomically(folder / "summary.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+}  // namespace shoreline

@@ -1,0 +1,107 @@
+#include "xdmf.hpp"
+
+#include <fmt/format.h>
+
+namespace shoreline {
+namespace {
+
+std::string escaped(const std::string& text) {
+  std::string xml;
+  for (const char c : text) {
+    if (c == '&')
+      xml += "&amp;";
+    else if (c == '<')
+      xml += "&lt;";
+    else if (c == '>')
+      xml += "&gt;";
+    else if (c == '"')
+      xml += "&quot;";
+    else if (static_cast<unsigned char>(c) < 0x20)  // XML has no way to write most of them
+      xml += ' ';
+    else
+      xml += c;
+  }
+  return xml;
+}
+
+std::string array(const std::string& path, const std::string& shape, const std::string& type) {
+  return fmt::format(R"(<DataItem Format="HDF" {} Dimensions="{}">results.h5:{}</DataItem>)", type, shape,
+                     escaped(path));
+}
+
+std::string numbers(const std::string& path, const std::string& shape) {
+  return array(path, shape, R"(NumberType="Float" Precision="8")");
+}
+
+std::string cells(const char* type, Eigen::Index count, Eigen::Index nodes, const std::string& table) {
+  return fmt::format(R"(<Topology TopologyType="{}" NumberOfElements="{}" NodesPerElement="{}">{}</Topology>)", type,
+                     count, nodes,
+                     array(table, fmt::format("{} {}", count, nodes), R"(NumberType="Int" Precision="4")"));
+}
+
+std::string geometry(const std::string& path, Eigen::Index points) {
+  return fmt::format(R"(<Geometry GeometryType="XYZ">{}</Geometry>)", numbers(path, fmt::format("{} 3", points)));
+}
+
+std::string attribute(const char* name, const char* type, const std::string& path, const std::string& shape) {
+  return fmt::format(R"(<Attribute Name="{}" AttributeType="{}" Center="Node">{}</Attribute>)", name, type,
+                     numbers(path, shape));
+}
+
+std::string time(const SavedStep& step) { return fmt::format(R"(<Time Value="{}"/>)", step.t); }
+
+}  // namespace
+
+std::string step_group(const SavedStep& step) { return fmt::format("/steps/{:06}", step.step); }
+
+std::string link_name(const std::string& name) {
+  if (name.empty() || name == ".") return name.empty() ? "%" : "%2E";
+  std::string link;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || c == '/' || c == ':' || c == '%' || c == '|')
+      link += fmt::format("%{:02X}", byte);
+    else
+      link += c;
+  }
+  return link;
+}
+
+std::string vertices_table(Eigen::Index points) { return fmt::format("/connectivity/vertices {}", points); }
+
+std::string line_table(Eigen::Index points) { return fmt::format("/connectivity/line {}", points); }
+
+std::string point_grid(const SavedStep& step) {
+  const Eigen::Index n = step.volume.size();
+  const std::string points = step_group(step) + "/points/";
+  return "<Grid Name=\"material points\" GridType=\"Uniform\">" + time(step) + "\n" +
+         cells("Polyvertex", n, 1, vertices_table(n)) + "\n" + geometry(points + "position", n) + "\n" +
+         attribute("displacement", "Vector", points + "displacement", fmt::format("{} 3", n)) + "\n" +
+         attribute("stress (xx, yy, xy, zz)", "Matrix", points + "stress", fmt::format("{} 4", n)) + "\n" +
+         attribute("strain (xx, yy, xy)", "Matrix", points + "strain", fmt::format("{} 3", n)) + "\n" +
+         attribute("volume", "Scalar", points + "volume", fmt::format("{}", n)) + "\n</Grid>\n";
+}
+
+std::string curve_grid(const SavedStep& step) {
+  if (step.curves.empty()) return "";
+  std::string grids = "<Grid Name=\"boundary\" GridType=\"Collection\" CollectionType=\"Spatial\">" + time(step) + "\n";
+  for (const SavedStep::Curve& curve : step.curves) {
+    const Eigen::Index m = curve.polyline.cols();
+    grids += fmt::format("<Grid Name=\"{}\" GridType=\"Uniform\">", escaped(curve.name)) +
+             cells("Polyline", 1, m, line_table(m)) +
+             geometry(step_group(step) + "/curves/" + link_name(curve.name) + "/polyline", m) + "</Grid>\n";
+  }
+  return grids + "</Grid>\n";
+}
+
+std::string xdmf(const std::string& curve_grids, const std::string& point_grids) {
+  const auto in_time = [](const char* name, const std::string& grids) {
+    return fmt::format("<Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n{}</Grid>\n", name,
+                       grids);
+  };
+  return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Xdmf Version=\"3.0\"><Domain>\n" +
+         (curve_grids.empty() ? "" : in_time("boundary", curve_grids)) + in_time("material points", point_grids) +
+         "</Domain></Xdmf>\n";
+}
+
+}  // namespace shoreline

@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "shoreline/engine/run.hpp"
+#include "shoreline/engine/scene.hpp"
+
+namespace shoreline {
+namespace {
+
+/// Bytes of a run, from its sizes. The factor of an AMD-ordered plane grid has about 8 n log₂ n entries.
+double predicted_bytes(const Scene& scene, const PointSupports& supports, double unknowns) {
+  const double n = scene.basis->functions_per_cell();
+  const double points = scene.points.size();
+  const double cells = supports.cells();
+  const double block_entries = n * (2.0 * n + 1.0);
+  const double state = 12.0 * 8.0;                       // position, displacement, volume, stress, strain
+  const double support = 3.0 * n * 8.0 + 4.0;            // value, gradient, order
+  const double block = 12.0 * block_entries + 60.0 * n;  // matrix and place, functions and pattern
+  const double matrix = 5.0 * n * 2.0 * 12.0;            // an unknown's column, twice
+  const double factor = 8.0 * 8.0 * std::log2(std::max(unknowns, 2.0));
+  constexpr double program = 2.2e7;
+  return program + points * (state * 2.0 + support) + cells * block + unknowns * (matrix + factor) +
+         5.0 * scene.basis->grid().cells();
+}
+
+std::string built(const Scene& scene) {
+  std::string text;
+  for (const auto& effect : scene.contributions) text += "  " + effect->name() + "\n";
+  for (const BoundaryPiece& b : scene.boundary)
+    if (const auto* c = std::get_if<Essential>(&b.condition); c != nullptr && c->method == EssentialMethod::grid)
+      text += "  grid:" + b.piece.name + "\n";
+  return text;
+}
+
+std::string left_out(const Case& problem) {
+  std::string text;
+  const auto unless = [&](bool named, const char* effect, const char* why) {
+    if (!named) text += fmt::format("  {:<20}{}\n", effect, why);
+  };
+  unless(problem.body_force.has_value(), "body force", "no key body_force");
+  unless(problem.gravity.has_value(), "gravity", "no key gravity");
+  unless(problem.ghost > 0.0, "ghost penalty", "ghost is 0");
+  unless(problem.exact.has_value(), "errors", "no key exact");
+  unless(problem.condition_estimate, "condition estimate", "diagnostics.condition_estimate is false");
+  unless(problem.output.pictures, "pictures", "output.pictures is false");
+  return text.empty() ? "  nothing\n" : text;
+}
+
+}  // namespace
+
+std::string plan(const Case& problem) {
+  const Scene scene = build_scene(problem);
+  const PointSupports supports = locate_points(*scene.basis, scene.points);
+  std::vector<char> seen(static_cast<std::size_t>(scene.basis->functions()), 0);
+  Index unknowns = 0;
+  for (const Index cell : supports.cell)
+    for (const Index f : scene.basis->functions_of(cell))
+      if (!std::exchange(seen[static_cast<std::size_t>(f)], 1)) unknowns += 2;
+  return fmt::format(
+      "{}\n\nwill run\n{}\nwill not run\n{}\nsizes\n"
+      "  load steps          {}\n  grid                {} cells, {} with material\n  material points     {}\n"
+      "  unknowns            at most {}\n  predicted memory    {:.0f} MB\n",
+      problem.title, built(scene), left_out(problem), scene.load_steps, scene.basis->grid().cells(), supports.cells(),
+      scene.points.size(), unknowns, predicted_bytes(scene, supports, unknowns) / 1e6);
+}
+
+}  // namespace shoreline

@@ -1,0 +1,194 @@
+#include "shoreline/engine/quasi_static.hpp"
+
+#include <fmt/format.h>
+
+#include "diagnosis.hpp"
+#include "shoreline/engine/failures.hpp"
+#include "shoreline/engine/linear_solver.hpp"
+
+namespace shoreline {
+namespace {
+
+constexpr int points_per_segment = 4;  ///< Gauss points along the edge: exact to degree 7 on straight pieces
+
+/// Keeps between the steps what outlives one: memory, pattern, analysis.
+struct Workspace {
+  PointSupports supports;
+  ElementBlocks blocks;
+  Assembler assembler;
+  SparseMatrix matrix;
+  Eigen::VectorXd force;
+  LinearSolver solver;
+  std::map<std::string, Vec3> grid_reactions;  ///< by piece with method grid
+};
+
+std::vector<Edge> make_edges(const Scene& scene, const PointSupports& supports, RunRecord& record) {
+  std::vector<Edge> edges;
+  record.extended_share = 0.0;
+  for (const BoundaryPiece& b : scene.boundary) {
+    edges.push_back(make_edge(b.piece, scene.basis->grid(), supports.active, gauss(points_per_segment)));
+    record.extended_share = std::max(record.extended_share, edges.back().extended_share);
+  }
+  return edges;
+}
+
+/// Moves points and their stresses, (E.4).
+void move_points(const Scene& scene, const PointSupports& supports, const Eigen::Matrix2Xd& increment,
+                 MaterialPoints& points) {
+  const auto n = static_cast<std::size_t>(supports.functions);
+#pragma omp parallel for schedule(static)
+  for (Index c = 0; c < supports.cells(); ++c) {
+    const auto cell = static_cast<std::size_t>(c);
+    const ShortIndices functions = scene.basis->functions_of(supports.cell[cell]);
+    for (auto k = static_cast<std::size_t>(supports.first[cell]);
+         k < static_cast<std::size_t>(supports.first[cell + 1]); ++k) {
+      Vec2 displacement = Vec2::Zero();
+      Vec3 strain = Vec3::Zero();
+      for (std::size_t a = 0; a < n; ++a) {
+        const Vec2 d = increment.col(functions[static_cast<Eigen::Index>(a)]);
+        const double gx = supports.gradient[2 * (k * n + a)];
+        const double gy = supports.gradient[2 * (k * n + a) + 1];
+        displacement += supports.value[k * n + a] * d;
+        strain += Vec3(gx * d.x(), gy * d.y(), gy * d.x() + gx * d.y());
+      }
+      const Index p = supports.point[k];
+      points.position.col(p) += displacement;
+      points.displacement.col(p) += displacement;
+      points.strain.col(p) += strain;
+      points.stress.col(p) = scene.material->updated(points.stress.col(p), strain);
+    }
+  }
+}
+
+/// Moves the tracking points with the material; pieces that were joined stay joined.
+void move_boundary(Scene& scene, const std::vector<Edge>& edges, const Eigen::Matrix2Xd& increment) {
+  for (std::size_t k = 0; k < scene.boundary.size(); ++k)
+    move_piece(scene.boundary[k].piece, edges[k], [&](Index cell, const Vec2& x) -> Motion {
+      const Support support = scene.basis->support(cell, x);
+      return {support.interpolate(increment), support.gradient_of(increment)};
+    });
+  for (const std::vector<int>& loop : scene.loops)
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      Piece& piece = scene.boundary[static_cast<std::size_t>(loop[k])].piece;
+      Piece& next = scene.boundary[static_cast<std::size_t>(loop[(k + 1) % loop.size()])].piece;
+      if (!piece.closed) piece.points.back() = next.points.front() = 0.5 * (piece.points.back() + next.points.front());
+    }
+}
+
+/// Forces of supports on grid lines, by piece; a component that two pieces hold counts for the first.
+void add_grid_supports(const Scene& scene, const std::vector<Constraint>& constraints,
+                       const Eigen::Matrix2Xd& increment, Workspace& work) {
+  if (constraints.empty()) return;
+  if (scene.loading == Loading::residual) work.grid_reactions.clear();
+  const Eigen::Matrix2Xd force = work.assembler.reactions(work.blocks, increment);
+  for (const Constraint& c : constraints) {
+    const auto& name = scene.boundary[static_cast<std::size_t>(c.piece)].piece.name;
+    const Vec2 held = force(c.component, c.function) * Vec2::Unit(c.component);
+    work.grid_reactions.try_emplace(name, Vec3::Zero()).first->second +=
+        resultant(scene.basis->control_point(c.function), held);
+  }
+}
+
+/// Factorises; where the matrix is singular or nearly so, says why in the user's words.
+void factorize(const StepState& state, const std::vector<Constraint>& constraints, Workspace& work) {
+  constexpr double suspicious_pivot = 1e-10;
+  std::string singular;
+  try {
+    work.solver.factorize(work.matrix);
+  } catch (const SingularMatrix& error) {
+    singular = fmt::format(
+        "the stiffness is singular (pivot {:.1e} of the scaled matrix) at {}; likely a nearly empty cell: add a ghost "
+        "penalty (\"ghost\": 0.001), use more points per cell or a coarser grid",
+        error.pivot(), weak_unknown(state, work.assembler.unknown(error.equation())));
+  }
+  if (singular.empty() && work.solver.smallest_pivot() > suspicious_pivot) return;
+  if (const auto free = free_motion(state, work.blocks, constraints))
+    throw ComputationError(*free + "; add a boundary condition \"fixed\" or \"roller\"");
+  if (!singular.empty()) throw ComputationError(singular);
+}
+
+/// Assembles and solves one step; returns Δd.
+Eigen::Matrix2Xd solve_step(const Scene& scene, const StepState& state, const std::vector<Constraint>& constraints,
+                            const QuasiStaticOptions& options, Workspace& work, RunRecord& record) {
+  Clock& clock = record.phases;
+  clock.time("assembly", [&] {
+    work.blocks.clear();
+    for (const auto& effect : scene.contributions)
+      record.effects.time(effect->name(), [&] { effect->add(state, work.blocks); });
+  });
+  const bool same_pattern =
+      clock.time("pattern", [&] { return work.assembler.prepare(work.blocks, constraints, scene.basis->functions()); });
+  record.degrees_of_freedom = work.assembler.equations();
+  clock.time("assembly", [&] { work.assembler.assemble(work.blocks, work.matrix, work.force); });
+  if (work.assembler.equations() == 0) return work.assembler.expand(work.force);  // every function is held
+  if (!same_pattern) {
+    clock.time("analyse", [&] { work.solver.analyse(work.matrix); });
+    ++record.analyses;
+  }
+  clock.time("factorise", [&] { factorize(state, constraints, work); });
+  ++record.factorisations;
+  if (!work.solver.positive_definite())
+    record.warnings.push_back(fmt::format(
+        "load step {}: the stiffness is not positive definite at {}; solved by a pivoted LU factorisation. A smaller "
+        "band or a ghost penalty restores definiteness",
+        record.steps + 1, weak_unknown(state, work.assembler.unknown(work.solver.negative_pivot_equation()))));
+  if (options.condition_estimate)
+    record.condition_estimate = clock.time("condition_estimate", [&] { return work.solver.condition_estimate(); });
+  const Eigen::VectorXd solution = clock.time("solve", [&] { return work.solver.solve(work.force); });
+  if (!solution.allFinite()) throw ComputationError("the solution is not finite; check loads and stiffness");
+  return work.assembler.expand(solution);
+}
+
+void run_step(Scene& scene, int step, const QuasiStaticOptions& options, Workspace& work, RunRecord& record) {
+  Clock& clock = record.phases;
+  work.supports =
+      clock.time("support", [&] { return locate_points(*scene.basis, scene.points, std::move(work.supports)); });
+  const PointSupports& supports = work.supports;
+  const std::vector<Edge> edges = clock.time("boundary", [&] { return make_edges(scene, supports, record); });
+  const std::vector<Constraint> constraints =
+      clock.time("boundary", [&] { return grid_constraints(*scene.basis, scene.boundary, edges); });
+  const StepState state{*scene.basis,
+                        scene.points,
+                        supports,
+                        edges,
+                        scene.loading,
+                        static_cast<double>(step) / scene.load_steps,
+                        static_cast<double>(step - 1) / scene.load_steps};
+
+  const Eigen::Matrix2Xd increment = solve_step(scene, state, constraints, options, work, record);
+  record.largest_increment = increment.size() == 0 ? 0.0 : increment.cwiseAbs().maxCoeff();
+
+  clock.time("update", [&] {
+    Resultants now;
+    for (const auto& effect : scene.contributions) {
+      effect->accept(state, increment);
+      effect->report(now);
+    }
+    add_grid_supports(scene, constraints, increment, work);
+    now.reactions.insert(work.grid_reactions.begin(), work.grid_reactions.end());
+    record.resultants = std::move(now);
+    move_points(scene, supports, increment, scene.points);
+    move_boundary(scene, edges, increment);
+  });
+}
+
+}  // namespace
+
+void run_load_steps(Scene& scene, const QuasiStaticOptions& options, RunRecord& record) {
+  Workspace work;
+  for (int step = 1; step <= scene.load_steps; ++step) {
+    try {
+      run_step(scene, step, options, work, record);
+    } catch (const OutsideGrid& error) {
+      throw ComputationError(fmt::format("load step {}: {}", step, error.what()));
+    } catch (const InvalidArgument& error) {
+      throw ComputationError(fmt::format("load step {}: {}", step, error.what()));
+    } catch (const ComputationError& error) {
+      throw ComputationError(fmt::format("load step {}: {}", step, error.what()));
+    }
+    record.steps = step;
+    options.after_step(step);
+  }
+}
+
+}  // namespace shoreline

@@ -1,0 +1,51 @@
+#include "shoreline/engine/report.hpp"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace shoreline {
+namespace {
+
+std::string number(const std::optional<double>& value) { return value ? fmt::format("{:.3e}", *value) : "–"; }
+
+std::string row(const std::string& name, const ErrorNorms::Component& error) {
+  return fmt::format("  {:<20}{:>14}{:>14}{:>14}\n", name, number(error.mean_relative), number(error.mean_absolute),
+                     number(error.max_absolute));
+}
+
+std::string errors_of(const ErrorNorms& errors) {
+  std::string text =
+      fmt::format("{:<22}{:>14}{:>14}{:>14}\n", "errors", "mean relative", "mean absolute", "max absolute");
+  text += row("displacement u [m]", errors.displacement[0]) + row("displacement v [m]", errors.displacement[1]);
+  text += row("stress xx [Pa]", errors.stress[0]) + row("stress yy [Pa]", errors.stress[1]) +
+          row("stress xy [Pa]", errors.stress[2]);
+  text += fmt::format("  relative L2: displacement {}, stress {}\n", number(errors.displacement_l2_relative),
+                      number(errors.stress_l2_relative));
+  for (const auto& [piece, error] : errors.boundary_l2_displacement)
+    text += fmt::format("  L2 of displacement on {}: {:.3e} m\n", piece, error);
+  return text;
+}
+
+std::string timings_of(const Summary& summary) {
+  std::string text = fmt::format("{:<22}{:>14}\n", "time", "seconds");
+  for (const auto& [phase, seconds] : summary.timings) text += fmt::format("  {:<20}{:>14.4f}\n", phase, seconds);
+  return text;
+}
+
+}  // namespace
+
+std::string report(const Summary& summary, const std::filesystem::path& output) {
+  const auto plural = [](long n, const char* one) { return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s"); };
+  std::string text = fmt::format("{}: {}, {}, {}, {}, {}\n", summary.title, summary.completed ? "completed" : "failed",
+                                 plural(summary.steps, "load step"), plural(summary.material_points, "material point"),
+                                 plural(summary.degrees_of_freedom, "unknown"), plural(summary.threads, "thread"));
+  if (summary.errors) text += "\n" + errors_of(*summary.errors);
+  text += "\n" + timings_of(summary);
+  if (summary.condition_estimate) text += fmt::format("\ncondition estimate: {:.2e}\n", *summary.condition_estimate);
+  if (!summary.warnings.empty()) text += "\n";
+  for (const std::string& warning : summary.warnings) text += "warning: " + warning + "\n";
+  return text + "\nresults: " + output.string() + "\n";
+}
+
+}  // namespace shoreline

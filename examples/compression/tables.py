@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+"""Prints the tables of this folder's README: error against points and against the band.
+
+    examples/compression/tables.py [PROGRAM]
+
+PROGRAM is the built `shoreline`; without it, the one that ./run builds. Draws band.png beside this script, too.
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+PROGRAM = sys.argv[1] if len(sys.argv) > 1 else HERE.parents[1] / "build/release/engine/shoreline"
+PIECES = ("bottom", "right", "left")
+
+
+def run(case, settings):
+    """Summary of one run, or None where it fails."""
+    with tempfile.TemporaryDirectory() as folder:
+        sets = [part for key, value in settings.items() for part in ("--set", f"{key}={json.dumps(value)}")]
+        command = [PROGRAM, "run", HERE / case, "--output", folder, "--quiet", "--set", "output.pictures=false", *sets]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        if done.returncode == 2:
+            sys.exit(done.stderr)
+        return json.loads((pathlib.Path(folder) / "summary.json").read_text()) if done.returncode == 0 else None
+
+
+def through_outer_points(n):
+    """The square whose outline runs through the outer of n points a cell and direction."""
+    low, high = 0.25 / n, 1 - 0.25 / n
+    corner = ([low, low], [high, low], [high, high], [low, high])
+    sides = {name: [corner[k], corner[(k + 1) % 4]] for k, name in enumerate(("bottom", "right", "top", "left"))}
+    return {"material_points.per_cell": n, "constants.y0": low} | {
+        f"boundaries.{name}.points": points for name, points in sides.items()}
+
+
+def band(value, method="implicit_boundary"):
+    return {f"boundaries.{p}.condition.{key}": v for p in PIECES for key, v in (("method", method), ("band", value))}
+
+
+def number(value):
+    return "-" if value is None else f"{value:.3e}"
+
+
+def row(*cells):
+    print("| " + " | ".join(str(c) for c in cells) + " |")
+
+
+def table(*head):
+    print()
+    row(*head)
+    row(*["---:"] * len(head))
+
+
+def stress(summary, component):
+    return number(summary and summary["errors"]["stress"]["mean_relative"][component])
+
+
+def displacement(summary, kind, component):
+    return number(summary and summary["errors"]["displacement"][kind][component])
+
+
+print("### aligned.json: points")
+table("points a cell", "R_σxx", "R_σyy", "A_v [m]")
+for n in range(1, 9):
+    s = run("aligned.json", {"material_points.per_cell": n})
+    row(f"{n}²", stress(s, 0), stress(s, 1), displacement(s, "mean_absolute", 1))
+
+print("\n### implicit.json: points, band 1e-6")
+table("points a cell", "R_σyy, volumes adjusted", "R_σyy, whole volumes", "A_v [m], adjusted", "A_v [m], whole")
+for n in (1, 2, 4, 8, 16, 32):
+    adjusted = run("implicit.json", through_outer_points(n))
+    whole = run("implicit.json", through_outer_points(n) | {"material_points.volumes": "lattice"})
+    row(f"{n}²", stress(adjusted, 1), stress(whole, 1), displacement(adjusted, "mean_absolute", 1),
+        displacement(whole, "mean_absolute", 1))
+
+print("\n### implicit.json: band, 32² points a cell")
+table("δ/h", "R_σxx", "R_σyy", "A_u [m]", "A_v [m]")
+for k in range(1, 13):
+    s = run("implicit.json", band(10.0**-k))
+    row(f"1e-{k}", stress(s, 0), stress(s, 1), displacement(s, "mean_absolute", 0), displacement(s, "mean_absolute", 1))
+
+drawn = {}
+for angle in (45, 60):
+    print(f"\n### rotated_{angle}.json: band, one point a cell")
+    table("method", "δ/h", "R_σyy", "R_v", "condition (scaled)", "Cholesky")
+    for method, powers in (("implicit_boundary", range(1, 13)), ("nitsche", range(1, 4))):
+        for k in powers:
+            s = run(f"rotated_{angle}.json",
+                    band(10.0**-k, method) | {"ghost": 0, "diagnostics.condition_estimate": True})
+            row(method, f"1e-{k}", stress(s, 1), displacement(s, "mean_relative", 1),
+                number(s and s["condition_estimate"]),
+                "failed" if s is None else "no, LU" if s["warnings"] else "yes")
+            if s:
+                drawn.setdefault((angle, method), []).append(
+                    (10.0**-k, s["errors"]["stress"]["mean_relative"][1], s["condition_estimate"]))
+
+try:
+    import matplotlib
+except ImportError:
+    sys.exit("band.png not drawn: this python3 has no matplotlib; try /usr/bin/python3")
+matplotlib.use("Agg")
+from matplotlib import pyplot
+
+figure, (left, right) = pyplot.subplots(1, 2, figsize=(10, 4), layout="constrained")
+for (angle, method), rows in drawn.items():
+    bands, errors, conditions = zip(*rows)
+    style = {"marker": "o" if method == "implicit_boundary" else "s", "linestyle": "-" if angle == 45 else "--",
+             "color": "C0" if method == "implicit_boundary" else "C1", "label": f"{method}, {angle}°"}
+    left.loglog(bands, errors, **style)
+    right.loglog(bands, conditions, **style)
+for axes, title in ((left, "mean relative error of σ_yy"), (right, "condition number, scaled matrix")):
+    axes.set(xlabel="band δ/h", title=title)
+    axes.invert_xaxis()
+    axes.grid(alpha=0.3)
+left.legend(fontsize="small")
+figure.savefig(HERE / "band.png", dpi=110)

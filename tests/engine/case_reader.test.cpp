@@ -1,0 +1,188 @@
+#include "shoreline/engine/case_reader.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "shoreline/engine/failures.hpp"
+
+using namespace shoreline;
+using Catch::Matchers::Contains;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+const std::string square = R"({
+  "analysis": {"type": "quasi_static", "plane": "stress"},
+  "material": {"type": "linear_elastic", "youngs_modulus": 2e6, "poissons_ratio": 0.25},
+  "grid": {"lower": [-1, 0], "upper": [1, 2], "cell_size": 0.5},
+  "boundaries": [
+    {"name": "bottom", "points": [[0, 0], [1, 0]], "condition": {"type": "roller"}},
+    {"name": "right", "line": {"from": [1, 0], "to": [1, 1], "points": 5}},
+    {"name": "top", "points": [[1, 1], [0.5, 1], [0, 1]], "condition": {"type": "traction", "value": [5, "p*x"]}},
+    {"name": "left", "points": [[0, 1], [0, 0]], "condition": {"type": "fixed"}}
+  ],
+  "constants": {"p": 7},
+  "material_points": {"per_cell": [2, 3]}
+})";
+
+Case with(const std::vector<std::string>& overrides) { return parse_case(square, "square.json", overrides); }
+
+std::string pointer_of(const std::string& override) {
+  try {
+    static_cast<void>(with({override}));
+    return "accepted";
+  } catch (const CaseError& error) {
+    return error.pointer();
+  }
+}
+
+const Essential& essential(const Case& problem, std::size_t piece) {
+  return std::get<Essential>(problem.boundaries.at(piece).condition);
+}
+
+}  // namespace
+
+TEST_CASE("a case says what it does not leave to defaults", "[engine][case_reader]") {
+  const Case problem = with({});
+  CHECK(problem.title == "square");  // the name of the file
+  CHECK(problem.plane == Plane::stress);
+  CHECK(problem.material.youngs_modulus == 2e6);
+  CHECK(problem.material.poissons_ratio == 0.25);
+  CHECK(problem.grid.lower == Vec2(-1, 0));
+  CHECK(problem.grid.upper == Vec2(1, 2));
+  CHECK(problem.grid.cell_size == Vec2(0.5, 0.5));
+  CHECK(problem.boundaries.size() == 4);
+  CHECK(problem.boundaries[1].piece.name == "right");
+  CHECK(problem.boundaries[1].piece.points.size() == 5);
+  CHECK(std::holds_alternative<Case::Free>(problem.boundaries[1].condition));
+  CHECK(std::get<Case::LatticeFill>(problem.material_points).per_cell == std::array{2, 3});
+}
+
+TEST_CASE("what a case leaves out has the default of the table", "[engine][case_reader]") {
+  const Case problem = with({});
+  CHECK(problem.load_steps == 1);
+  CHECK(problem.loading == Loading::residual);
+  CHECK(problem.ghost == 0.0);
+  CHECK(problem.threads == 0);
+  CHECK(problem.output.every == 1);
+  CHECK(problem.output.pictures);
+  CHECK_FALSE(problem.condition_estimate);
+  CHECK_FALSE(problem.material.density.has_value());
+  CHECK_FALSE(problem.body_force.has_value());
+  CHECK_FALSE(problem.gravity.has_value());
+  CHECK_FALSE(problem.exact.has_value());
+  CHECK(std::get<Case::LatticeFill>(problem.material_points).volumes == VolumeRule::clipped);
+}
+
+TEST_CASE("the band and the ghost penalty follow the method unless the case says otherwise", "[engine][case_reader]") {
+  CHECK(essential(with({}), 0).band == 1e-3);
+  CHECK(essential(with({}), 0).normal_only);
+  CHECK_FALSE(essential(with({}), 3).normal_only);
+
+  const Case nitsche = with({"boundaries.left.condition.method=nitsche"});
+  CHECK(essential(nitsche, 3).method == EssentialMethod::nitsche);
+  CHECK(essential(nitsche, 3).band == 0.01);
+  CHECK(nitsche.ghost == 1e-3);
+  CHECK(with({"boundaries.left.condition.method=nitsche", "ghost=0"}).ghost == 0.0);
+  CHECK(essential(with({"boundaries.left.condition.band=1e-6"}), 3).band == 1e-6);
+  CHECK(essential(with({"boundaries.left.condition.method=grid"}), 3).method == EssentialMethod::grid);
+}
+
+TEST_CASE("plain numbers ramp in loads and do not in an exact solution", "[engine][case_reader]") {
+  const Case problem = with(
+      {R"(exact={"type": "expressions", "displacement": [3, "x"], "stress": [0, 1e-5, -2]})", "body_force=[1, \"p\"]"});
+  const auto& traction = std::get<Case::Traction>(problem.boundaries[2].condition);
+  const PlaceTime half{.x = {2.0, 0.0}, .t = 0.5};
+  CHECK(traction.value[0](half) == 2.5);
+  CHECK(traction.value[1](half) == 14.0);
+  CHECK((*problem.body_force)[0](half) == 0.5);
+  CHECK((*problem.body_force)[1](half) == 7.0);
+  CHECK(problem.exact->displacement[0](half) == 3.0);
+  CHECK(problem.exact->displacement[1](half) == 2.0);
+  CHECK(problem.exact->stress[1](half) == 1e-5);
+  CHECK(problem.exact->stress[2](half) == -2.0);
+}
+
+TEST_CASE("a piece that ends where it starts is a closed loop of one point less", "[engine][case_reader]") {
+  const Case problem =
+      with({"boundaries.1={\"name\": \"loop\", \"points\": [[0,0],[1,0],[1,1],[0,0]], \"corners\": [0]}"});
+  CHECK(problem.boundaries[1].piece.closed);
+  CHECK(problem.boundaries[1].piece.points.size() == 3);
+  CHECK(problem.boundaries[1].piece.corners == std::vector{0});
+  CHECK_FALSE(problem.boundaries[0].piece.closed);
+}
+
+TEST_CASE("arcs and circles place their points on the circle", "[engine][case_reader]") {
+  const Case problem =
+      with({R"(boundaries.0={"name": "hole", "circle": {"centre": [1, 2], "radius": 0.5, "hole": true}})",
+            R"(boundaries.1={"name": "arc", "arc": {"centre": [1, 2], "radius": 0.5, "from": 90, "to": 0}})"});
+  CHECK(problem.boundaries[0].piece.closed);
+  CHECK(problem.boundaries[0].piece.points.size() == 16);
+  CHECK_FALSE(problem.boundaries[1].piece.closed);
+  CHECK(problem.boundaries[1].piece.points.front() == Vec2(1.0, 2.5));
+  for (const auto& boundary : {problem.boundaries[0], problem.boundaries[1]})
+    for (const Vec2& x : boundary.piece.points) CHECK_THAT((x - Vec2(1, 2)).norm(), WithinAbs(0.5, 1e-15));
+}
+
+TEST_CASE("fills and listed points", "[engine][case_reader]") {
+  const Case vertex = with({R"(material_points={"fill": "vertex", "per_cell": 4})"});
+  CHECK(std::get<Case::VertexFill>(vertex.material_points).per_cell == std::array{4, 4});
+  CHECK(std::get<Case::VertexFill>(vertex.material_points).adjusted);
+  const Case whole = with({R"(material_points={"fill": "vertex", "per_cell": 4, "volumes": "lattice"})"});
+  CHECK_FALSE(std::get<Case::VertexFill>(whole.material_points).adjusted);
+  const Case listed = with({R"(material_points={"points": [[0.1, 0.2], [0.3, 0.4]], "volumes": [2, 3]})"});
+  const auto& points = std::get<std::vector<Case::ListedPoint>>(listed.material_points);
+  REQUIRE(points.size() == 2);
+  CHECK(points[1].position == Vec2(0.3, 0.4));
+  CHECK(points[1].volume == 3.0);
+}
+
+TEST_CASE("an override sets what its path leads to", "[engine][case_reader]") {
+  CHECK(with({"grid.cell_size=[0.25, 0.5]"}).grid.cell_size == Vec2(0.25, 0.5));
+  CHECK(with({"grid.lower.1=-3"}).grid.lower == Vec2(-1, -3));
+  CHECK(with({"boundaries.0.name=base"}).boundaries[0].piece.name == "base");
+  CHECK(with({"boundaries.bottom.name=base"}).boundaries[0].piece.name == "base");
+  CHECK(with({"solver.threads=2"}).threads == 2);         // an object that was missing
+  CHECK(with({"title=two words"}).title == "two words");  // no JSON: the text as it stands
+  CHECK(with({"title=\"5\""}).title == "5");              // JSON
+  CHECK(with({"title=a=b"}).title == "a=b");              // only the first = divides
+  CHECK(with({"title=a", "title=b"}).title == "b");       // in order
+  CHECK(with({"output.pictures=false"}).output.pictures == false);
+}
+
+TEST_CASE("overrides are checked like the file", "[engine][case_reader]") {
+  CHECK(pointer_of("grid.cell_size=-1") == "/grid/cell_size");
+  CHECK(pointer_of("grid.cellsize=1") == "/grid");
+  CHECK(pointer_of("boundaries.top.condition.value.1=q") == "/boundaries/2/condition/value/1");
+  CHECK(pointer_of("gravity=[0, -9.81]") == "/gravity");  // no density
+  CHECK(pointer_of("boundaries.tpo.name=x") == "/boundaries");
+}
+
+TEST_CASE("a whole number may be written with a decimal point", "[engine][case_reader]") {
+  CHECK(with({"analysis.load_steps=4.0"}).load_steps == 4);
+  CHECK(pointer_of("analysis.load_steps=4.5") == "/analysis/load_steps");
+}
+
+TEST_CASE("a message names file, place, what was found and what was expected", "[engine][case_reader]") {
+  CHECK_THROWS_WITH(with({"grid.basis=billinear"}),
+                    Contains("square.json: /grid/basis: found \"billinear\"") && Contains("expected \"bilinear\""));
+  CHECK_THROWS_WITH(
+      with({"boundaries.left.condition.metod=grid"}),
+      Contains("square.json: /boundaries/3/condition: found unknown key \"metod\"") && Contains("nearest: \"method\""));
+  CHECK_THROWS_WITH(parse_case("{\"a\": 1,\n \"b\": }", "x.json"), Contains("x.json") && Contains("line 2, column 7"));
+  CHECK_THROWS_WITH(parse_case("{\"a\": [1, {\"b~/c\": 1, \"b~/c\": 2}]}", "x.json"),
+                    Contains("x.json: /a/1/b~0~1c: ") && Contains("twice"));
+}
+
+TEST_CASE("a grid of more cells than a machine holds is refused with their number", "[engine][case_reader]") {
+  CHECK_THROWS_WITH(with({"grid.cell_size=[1e-5, 1e-5]"}), Contains("/grid/cell_size") && Contains("4e+10 cells"));
+  CHECK_THROWS_WITH(with({"grid.cell_size=[1e-12, 1e3]"}), Contains("/grid/cell_size") && Contains("2e+12 x 1"));
+  CHECK_THROWS_WITH(with({"grid.cell_size=0.001", "material_points.per_cell=1000"}),
+                    Contains("/material_points/per_cell"));
+}
+
+TEST_CASE("schema and reference page name every key that a case may have", "[engine][case_reader]") {
+  const std::string key = GENERATE("title", "plane", "youngs_modulus", "cell_size", "corners", "band", "hole",
+                                   "per_cell", "gravity", "ghost", "displacement", "condition_estimate", "pictures");
+  CHECK_THAT(case_schema(), Contains("\"" + key + "\""));
+  CHECK_THAT(case_format(), Contains("| `" + key + "` |"));
+}

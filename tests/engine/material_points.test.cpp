@@ -1,0 +1,120 @@
+#include "shoreline/engine/material_points.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <numeric>
+
+#include "../random.hpp"
+#include "shoreline/bases/bilinear.hpp"
+#include "shoreline/engine/failures.hpp"
+
+using namespace shoreline;
+using Catch::Matchers::Contains;
+
+namespace {
+
+MaterialPoints random_points(test::Random& random, const Grid& grid, Index count) {
+  Eigen::Matrix2Xd position(2, count);
+  for (Index p = 0; p < count; ++p) position.col(p) = random.in(grid.bounds());
+  MaterialPoints points = points_at(position, Eigen::VectorXd::LinSpaced(count, 1.0, 2.0));
+  points.displacement = random.field(count);
+  points.stress.setRandom();
+  points.strain.setRandom();
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("points start at rest without stress", "[engine][material_points]") {
+  const MaterialPoints points = points_at(Eigen::Matrix2Xd::Ones(2, 3), Eigen::VectorXd::Ones(3));
+  CHECK(points.size() == 3);
+  CHECK(points.displacement == Eigen::Matrix2Xd::Zero(2, 3));
+  CHECK(points.stress == Eigen::Matrix4Xd::Zero(4, 3));
+  CHECK(points.strain == Eigen::Matrix3Xd::Zero(3, 3));
+  CHECK(points.on_outline.empty());
+}
+
+TEST_CASE("every point is listed once, with its cell and the basis there", "[engine][material_points]") {
+  test::Random random(1);
+  PointSupports supports;
+  for (int draw = 0; draw < 20; ++draw) {
+    const BilinearBasis basis(random.grid());
+    const MaterialPoints points = random_points(random, basis.grid(), random.whole(1, 60));
+    supports = locate_points(basis, points, std::move(supports));
+
+    std::vector<Index> listed = supports.point;
+    std::ranges::sort(listed);
+    std::vector<Index> all(static_cast<std::size_t>(points.size()));
+    std::iota(all.begin(), all.end(), 0);
+    CHECK(listed == all);
+    CHECK(std::ranges::is_sorted(supports.cell));
+    CHECK(std::ranges::count(supports.active, 1) == supports.cells());
+    REQUIRE(supports.functions == 4);
+    for (std::size_t c = 0; c < supports.cell.size(); ++c) {
+      CHECK(supports.active[static_cast<std::size_t>(supports.cell[c])] == 1);
+      CHECK(supports.first[c] < supports.first[c + 1]);
+      for (auto k = static_cast<std::size_t>(supports.first[c]); k < static_cast<std::size_t>(supports.first[c + 1]);
+           ++k) {
+        const Vec2 x = points.position.col(supports.point[k]);
+        CHECK(basis.grid().locate(x, 0) == supports.cell[c]);
+        const Support support = basis.support(supports.cell[c], x);
+        CHECK(std::equal(support.value.begin(), support.value.end(), &supports.value[4 * k]));
+        CHECK(std::equal(support.gradient.reshaped().begin(), support.gradient.reshaped().end(),
+                         &supports.gradient[8 * k]));
+      }
+    }
+    CHECK(supports.first.back() == points.size());
+  }
+}
+
+TEST_CASE("points outside the grid are counted and the first is placed", "[engine][material_points]") {
+  const BilinearBasis basis(QuadrilateralGrid(Vec2::Zero(), Vec2::Ones(), {2, 2}));
+  Eigen::Matrix2Xd position(2, 4);
+  position << 0.5, 2.5, 1.0, -0.25, 0.5, 1.5, 1.0, 0.75;
+  const MaterialPoints points = points_at(position, Eigen::VectorXd::Ones(4));
+  CHECK_THROWS_AS(locate_points(basis, points), ComputationError);
+  CHECK_THROWS_WITH(locate_points(basis, points), Contains("2 of 4") && Contains("point 1") && Contains("(2.5, 1.5)") &&
+                                                      Contains("enlarge the grid"));
+}
+
+TEST_CASE("a point on the outline and on a grid line belongs to the body's side", "[engine][material_points]") {
+  const BilinearBasis basis(QuadrilateralGrid(Vec2::Zero(), Vec2(0.1, 0.1), {4, 4}));
+  for (Index i = 0; i <= 4; ++i)
+    for (Index j = 0; j <= 4; ++j)
+      for (const Vec2& inward : {Vec2(0.6, 0.8), Vec2(-0.6, 0.8), Vec2(-0.6, -0.8), Vec2(0.6, -0.8)}) {
+        const Vec2 node = basis.grid().node(i + 5 * j);
+        const auto side = basis.grid().locate(node + 0.01 * inward, 0);
+        if (!side) continue;
+        MaterialPoints points = points_at(node, Eigen::VectorXd::Ones(1));
+        points.on_outline.push_back({0, inward});
+        CHECK(locate_points(basis, points).cell == std::vector<Index>{*side});
+      }
+}
+
+TEST_CASE("sorting by cell keeps every point with all that it carries, in ascending cells",
+          "[engine][material_points]") {
+  test::Random random(2);
+  for (int draw = 0; draw < 20; ++draw) {
+    const BilinearBasis basis(random.grid());
+    const MaterialPoints before = random_points(random, basis.grid(), 50);
+    MaterialPoints after = before;
+    after.on_outline = {{7, Vec2::UnitX()}, {31, -Vec2::UnitY()}};
+    sort_by_cell(basis, after);
+
+    Index cell = 0;
+    for (Index k = 0; k < 50; ++k) {
+      const Index here = basis.grid().locate(after.position.col(k), 0).value();
+      CHECK(here >= cell);
+      cell = here;
+      Index p = 0;
+      while (before.volume[p] != after.volume[k]) ++p;  // each point has its own volume
+      CHECK(after.position.col(k) == before.position.col(p));
+      CHECK(after.displacement.col(k) == before.displacement.col(p));
+      CHECK(after.stress.col(k) == before.stress.col(p));
+      CHECK(after.strain.col(k) == before.strain.col(p));
+    }
+    CHECK_THAT(after.volume.sum(), Catch::Matchers::WithinAbs(before.volume.sum(), 1e-12));
+    CHECK(after.position.col(after.on_outline[0].point) == before.position.col(7));
+    CHECK(after.position.col(after.on_outline[1].point) == before.position.col(31));
+  }
+}

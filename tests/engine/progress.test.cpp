@@ -1,0 +1,60 @@
+#include "shoreline/engine/progress.hpp"
+
+#include <fcntl.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <array>
+#include <catch2/catch.hpp>
+
+using namespace shoreline;
+using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
+
+namespace {
+
+/// What a progress of two steps prints when stderr is @p descriptor, read from @p reading_end.
+std::string printed(int descriptor, int reading_end, bool quiet) {
+  const int kept = dup(STDERR_FILENO);
+  dup2(descriptor, STDERR_FILENO);
+  {
+    Progress progress(2, quiet);
+    progress.begin(1);
+  }
+  fflush(stderr);
+  dup2(kept, STDERR_FILENO);
+  close(kept);
+  fcntl(reading_end, F_SETFL, O_NONBLOCK);
+  std::array<char, 256> text{};
+  const auto length = read(reading_end, text.data(), text.size());
+  return length > 0 ? std::string(text.data(), static_cast<std::size_t>(length)) : "";
+}
+
+}  // namespace
+
+TEST_CASE("the time left is the mean of the steps behind times the steps to come", "[engine][progress]") {
+  CHECK(progress_line(1, 50, 0.0) == "load step 1 of 50");
+  CHECK(progress_line(2, 3, 30.0) == "load step 2 of 3, 1:00 left");
+  CHECK(progress_line(11, 20, 10.0) == "load step 11 of 20, 0:10 left");
+  CHECK(progress_line(2, 101, 37.0) == "load step 2 of 101, 1:01:40 left");
+}
+
+TEST_CASE("progress is shown on a terminal, erased at the end, and nowhere else", "[engine][progress]") {
+  const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+  REQUIRE(terminal >= 0);
+  REQUIRE(grantpt(terminal) == 0);
+  REQUIRE(unlockpt(terminal) == 0);
+  const int screen = open(ptsname(terminal), O_RDWR | O_NOCTTY);
+  REQUIRE(screen >= 0);
+  CHECK(printed(screen, terminal, true).empty());
+  const std::string shown = printed(screen, terminal, false);
+  CHECK_THAT(shown, Contains("load step 1 of 2") && EndsWith("\r\033[K"));
+  close(screen);
+  close(terminal);
+
+  std::array<int, 2> ends{};
+  REQUIRE(pipe(ends.data()) == 0);
+  CHECK(printed(ends[1], ends[0], false).empty());
+  close(ends[0]);
+  close(ends[1]);
+}

@@ -1,0 +1,26 @@
+#include "shoreline/engine/report.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace shoreline;
+using Catch::Matchers::Contains;
+
+TEST_CASE("a report has sizes, errors, cost, warnings and the folder", "[engine][report]") {
+  Summary summary;
+  summary.title = "Square";
+  summary.completed = true;
+  summary.steps = 1;
+  summary.material_points = 64;
+  summary.degrees_of_freedom = 50;
+  summary.timings = {{"solve", 0.25}};
+  summary.warnings = {"the band is wide"};
+  CHECK_THAT(report(summary, "out/square"),
+             Contains("Square: completed, 1 load step, 64 material points, 50 unknowns") && Contains("solve") &&
+                 Contains("0.250") && Contains("warning: the band is wide") && Contains("results: out/square") &&
+                 !Contains("errors"));
+
+  summary.errors.emplace();
+  summary.errors->stress[1] = {.mean_relative = 1.5e-4, .mean_absolute = 2.5, .max_absolute = 3.5};
+  CHECK_THAT(report(summary, "out/square"),
+             Contains("stress yy [Pa]") && Contains("1.500e-04") && Contains("2.500e+00") && Contains("3.500e+00"));
+}

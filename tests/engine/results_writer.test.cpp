@@ -1,0 +1,252 @@
+#include "shoreline/engine/results_writer.hpp"
+
+#include <hdf5.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <catch2/catch.hpp>
+#include <csignal>
+#include <fstream>
+#include <sstream>
+
+#include "output_folder.hpp"
+#include "shoreline/bases/quadrilateral_grid.hpp"
+#include "shoreline/engine/failures.hpp"
+
+using namespace shoreline;
+using Catch::Matchers::Contains;
+using test::OutputFolder;
+
+namespace {
+
+const QuadrilateralGrid grid(Vec2(0, 0), Vec2(0.5, 0.5), {2, 3});
+
+/// Different numbers everywhere, so that a wrong order shows.
+SavedStep step(int number, Eigen::Index points = 3, const std::string& curve = "edge") {
+  const auto counted = [&](Eigen::Index rows, Eigen::Index columns, double first) {
+    Eigen::MatrixXd m(rows, columns);
+    for (Eigen::Index i = 0; i < m.size(); ++i) m(i % rows, i / rows) = first + static_cast<double>(i) + 100.0 * number;
+    return m;
+  };
+  return {.step = number,
+          .t = 0.5 * number,
+          .position = counted(2, points, 0.25),
+          .displacement = counted(2, points, 1000.25),
+          .stress = counted(4, points, 2000.25),
+          .strain = counted(3, points, 3000.25),
+          .volume = counted(1, points, 4000.25).transpose(),
+          .curves = {{curve, counted(2, 2, 5000.25), counted(2, 5, 6000.25)}}};
+}
+
+/// A text attribute of an object; empty where there is none.
+std::string text_attribute(hid_t place, const char* path, const char* name) {
+  if (H5Aexists_by_name(place, path, name, H5P_DEFAULT) <= 0) return "";
+  const hid_t attribute = H5Aopen_by_name(place, path, name, H5P_DEFAULT, H5P_DEFAULT);
+  const hid_t type = H5Aget_type(attribute);
+  char* text = nullptr;
+  H5Aread(attribute, type, &text);
+  std::string copy = text;
+  H5free_memory(text);
+  H5Tclose(type);
+  H5Aclose(attribute);
+  return copy;
+}
+
+/// All numbers of a dataset, its shape and its unit.
+struct Dataset {
+  std::vector<hsize_t> shape;
+  std::vector<double> values;
+  std::string unit;
+};
+
+Dataset read(const std::filesystem::path& folder, const std::string& path) {
+  Dataset read;
+  const hid_t file = H5Fopen((folder / "results.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  REQUIRE(file >= 0);
+  const hid_t set = H5Dopen2(file, path.c_str(), H5P_DEFAULT);
+  REQUIRE(set >= 0);
+  const hid_t space = H5Dget_space(set);
+  read.shape.resize(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
+  H5Sget_simple_extent_dims(space, read.shape.data(), nullptr);
+  read.values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
+  H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, read.values.data());
+  read.unit = text_attribute(file, path.c_str(), "unit");
+  H5Sclose(space);
+  H5Dclose(set);
+  H5Fclose(file);
+  return read;
+}
+
+/// The attribute "name" of every group in @p path.
+std::vector<std::string> curve_names(const std::filesystem::path& folder, const std::string& path) {
+  std::vector<std::string> names;
+  const auto append_name = [](hid_t group, const char* link, const H5L_info_t*, void* to) -> herr_t {
+    static_cast<std::vector<std::string>*>(to)->push_back(text_attribute(group, link, "name"));
+    return 0;
+  };
+  const hid_t file = H5Fopen((folder / "results.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t group = H5Gopen2(file, path.c_str(), H5P_DEFAULT);
+  H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, append_name, &names);
+  H5Gclose(group);
+  H5Fclose(file);
+  return names;
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::stringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
+  return found;
+}
+
+}  // namespace
+
+TEST_CASE("what is read from results.h5 is what was saved, one row a point", "[engine][results]") {
+  const OutputFolder folder;
+  const SavedStep saved = step(7);
+  ResultsWriter(folder.path, "title", grid).write(saved);
+
+  const Dataset stress = read(folder.path, "steps/000007/points/stress");
+  CHECK(stress.shape == std::vector<hsize_t>{3, 4});
+  CHECK(stress.values == std::vector<double>(saved.stress.data(), saved.stress.data() + 12));
+  CHECK(stress.unit == "Pa");
+  const Dataset strain = read(folder.path, "steps/000007/points/strain");
+  CHECK(strain.values == std::vector<double>(saved.strain.data(), saved.strain.data() + 9));
+  const Dataset volume = read(folder.path, "steps/000007/points/volume");
+  CHECK(volume.shape == std::vector<hsize_t>{3});
+  CHECK(volume.values == std::vector<double>(saved.volume.data(), saved.volume.data() + 3));
+
+  const auto check_in_space = [&](const std::string& path, const Eigen::Matrix2Xd& plane) {
+    const Dataset space = read(folder.path, "steps/000007/" + path);
+    Eigen::Matrix3Xd expected = Eigen::Matrix3Xd::Zero(3, plane.cols());
+    expected.topRows<2>() = plane;
+    CHECK(space.shape == std::vector<hsize_t>{static_cast<hsize_t>(plane.cols()), 3});
+    CHECK(space.values == std::vector<double>(expected.data(), expected.data() + expected.size()));
+    CHECK(space.unit == "m");
+  };
+  check_in_space("points/position", saved.position);
+  check_in_space("points/displacement", saved.displacement);
+  check_in_space("curves/edge/points", saved.curves[0].points);
+  check_in_space("curves/edge/polyline", saved.curves[0].polyline);
+  CHECK(read(folder.path, "grid/edges").shape == std::vector<hsize_t>{24, 4});
+}
+
+TEST_CASE("a run that is killed leaves every finished step readable", "[engine][results]") {
+  const OutputFolder folder;
+  const pid_t child = fork();
+  if (child == 0) {
+    ResultsWriter writer(folder.path, "title", grid);
+    writer.write(step(0));
+    writer.write(step(1));
+    raise(SIGKILL);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  REQUIRE(WIFSIGNALED(status));
+  for (const int number : {0, 1})
+    CHECK(read(folder.path, "steps/00000" + std::to_string(number) + "/points/volume").values[0] ==
+          step(number).volume[0]);
+  CHECK_THAT(text_of(folder.path / "results.xdmf"), Contains("/steps/000001/points/stress"));
+}
+
+TEST_CASE("a disk that fills up costs no step that was saved before", "[engine][results]") {
+  const OutputFolder folder;
+  ResultsWriter writer(folder.path, "title", grid);
+  writer.write(step(0));
+
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit full{.rlim_cur = std::filesystem::file_size(folder.path / "results.h5") + 4096,
+                    .rlim_max = before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &full);
+  CHECK_THROWS_WITH(writer.write(step(1)), Contains("results.h5") && Contains("File too large"));
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, handler);
+
+  CHECK(read(folder.path, "steps/000000/points/volume").values[0] == step(0).volume[0]);
+  writer.write(step(1));
+  CHECK(read(folder.path, "steps/000001/points/volume").values[0] == step(1).volume[0]);
+}
+
+TEST_CASE("every array that results.xdmf names exists with the shape it says", "[engine][results]") {
+  const OutputFolder folder;
+  const std::string name = GENERATE("edge", "left/upper", "ß 10 % \"a\" <b> & c", ".", "", "a:b|c");
+  CAPTURE(name);
+  {
+    ResultsWriter writer(folder.path, "title", grid);
+    writer.write(step(0, 3, name));
+    writer.write(step(1, 4, name));
+  }
+  const std::string xdmf = text_of(folder.path / "results.xdmf");
+  CHECK(count(xdmf, "<Time Value=\"0.5\"/>") == 2);
+  const auto unescaped = [](std::string text) {
+    for (const auto& [xml, plain] : {std::pair("&lt;", "<"), {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}})
+      for (std::size_t at; (at = text.find(xml)) != std::string::npos;)
+        text.replace(at, std::string(xml).size(), plain);
+    return text;
+  };
+  for (std::size_t at = xdmf.find('&'); at != std::string::npos; at = xdmf.find('&', at + 1)) {
+    const std::string entity = xdmf.substr(at, xdmf.find(';', at) - at + 1);
+    CHECK((entity == "&lt;" || entity == "&gt;" || entity == "&quot;" || entity == "&amp;"));
+  }
+  CHECK(curve_names(folder.path, "steps/000001/curves") == std::vector<std::string>{name});
+
+  int arrays = 0;
+  for (std::size_t at = xdmf.find("Dimensions=\""); at != std::string::npos; at = xdmf.find("Dimensions=\"", at + 1)) {
+    std::stringstream shape(xdmf.substr(at + 12, xdmf.find('"', at + 12) - at - 12));
+    const std::size_t path = xdmf.find("results.h5:", at) + 11;
+    std::vector<hsize_t> expected;
+    for (hsize_t n; shape >> n;) expected.push_back(n);
+    CHECK(read(folder.path, unescaped(xdmf.substr(path, xdmf.find("</", path) - path))).shape == expected);
+    ++arrays;
+  }
+  CHECK(arrays == 2 * (6 + 2));
+}
+
+TEST_CASE("results.xdmf knows every step once the writer is gone", "[engine][results]") {
+  const OutputFolder folder;
+  const int steps = 120;
+  {
+    ResultsWriter writer(folder.path, "title", grid);
+    for (int k = 0; k < steps; ++k) writer.write(step(k, 1));
+    CHECK(count(text_of(folder.path / "results.xdmf"), "points/stress") >= steps * 98 / 100);
+  }
+  CHECK(count(text_of(folder.path / "results.xdmf"), "points/stress") == steps);
+}
+
+TEST_CASE("a new run removes the results of the old one", "[engine][results]") {
+  const OutputFolder folder;
+  for (const char* name : {"summary.json", "results.xdmf", "deformed.png"}) std::ofstream(folder.path / name) << "old";
+  ResultsWriter(folder.path, "old", grid).write(step(3));
+  const ResultsWriter writer(folder.path, "new", grid);
+  CHECK_FALSE(std::filesystem::exists(folder.path / "summary.json"));
+  CHECK_FALSE(std::filesystem::exists(folder.path / "deformed.png"));
+  CHECK_FALSE(std::filesystem::exists(folder.path / "results.xdmf"));
+  const hid_t file = H5Fopen((folder.path / "results.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  CHECK(H5Lexists(file, "steps/000003", H5P_DEFAULT) == 0);
+  H5Fclose(file);
+}
+
+TEST_CASE("results that cannot be written name the path and the reason", "[engine][results]") {
+  const OutputFolder folder;
+  std::ofstream(folder.path / "file") << "not a folder";
+  const std::filesystem::path below_a_file = folder.path / "file" / "out";
+  CHECK_THROWS_AS(ResultsWriter(below_a_file, "title", grid), OutputError);
+  CHECK_THROWS_WITH(ResultsWriter(below_a_file, "title", grid),
+                    Contains(below_a_file.string()) && Contains("Not a directory"));
+
+  std::filesystem::create_directory(folder.path / "results.h5");
+  CHECK_THROWS_WITH(ResultsWriter(folder.path, "title", grid), Contains("results.h5") && Contains("Is a directory"));
+
+  const OutputFolder vanished;
+  ResultsWriter writer(vanished.path, "title", grid);
+  std::filesystem::remove(vanished.path / "results.h5");
+  CHECK_THROWS_WITH(writer.write(step(0)), Contains("results.h5") && Contains("No such file"));
+}

@@ -1,0 +1,106 @@
+#include "shoreline/engine/summary.hpp"
+
+#include <catch2/catch.hpp>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "output_folder.hpp"
+#include "shoreline/engine/failures.hpp"
+
+using namespace shoreline;
+using Catch::Matchers::Contains;
+using Json = nlohmann::ordered_json;
+using test::OutputFolder;
+
+namespace {
+
+Json written(const Summary& summary) {
+  const OutputFolder folder;
+  write_summary(summary, folder.path);
+  CHECK_FALSE(std::filesystem::exists(folder.path / "summary.json.part"));
+  return Json::parse(std::ifstream(folder.path / "summary.json"));
+}
+
+}  // namespace
+
+TEST_CASE("summary.json has the keys of the contract", "[engine][summary]") {
+  Summary summary;
+  summary.completed = true;
+  summary.effects = {{"material stiffness", 3, 0.5}, {"traction", 2, 0.25}};
+  summary.timings = {{"total", 3.0}, {"setup", 1.0}, {"assembly", 2.0}};
+  summary.reactions["left/upper"] = Vec3(1, 2, 3);
+  summary.loads["ß"] = Vec3(4, 5, 6);
+
+  const Json json = written(summary);
+  for (const char* key :
+       {"title", "status", "message", "analysis", "basis", "degrees_of_freedom", "material_points", "steps", "threads",
+        "version", "effects", "timings", "reactions", "loads", "peak_memory_bytes"})
+    CHECK(json.contains(key));
+  CHECK(json["status"] == "completed");
+  CHECK(json["effects"] == Json({"material stiffness", "traction"}));
+  CHECK(json["effect_costs"]["traction"] == Json({{"calls", 2}, {"seconds", 0.25}}));
+  CHECK(json["timings"].dump() == R"({"total":3.0,"setup":1.0,"assembly":2.0})");  // in the order given
+  CHECK(json["reactions"]["left/upper"] == Json({1.0, 2.0, 3.0}));
+  CHECK(json["loads"]["ß"] == Json({4.0, 5.0, 6.0}));
+}
+
+TEST_CASE("peak memory grows with what a process has touched", "[engine][summary]") {
+  const auto before = written({})["peak_memory_bytes"].get<long long>();
+  const std::size_t bytes = 64u << 20;
+  const auto more = static_cast<std::size_t>(before) + bytes;  // the peak may lie far above what is in use now
+  const std::vector<char> touched(more, 'x');
+  CHECK(written({})["peak_memory_bytes"].get<long long>() >= before + static_cast<long long>(bytes));
+  CHECK(touched[more / 2] == 'x');
+}
+
+TEST_CASE("errors and condition estimate appear only if they were computed", "[engine][summary]") {
+  Summary summary;
+  CHECK_FALSE(written(summary).contains("errors"));
+  CHECK_FALSE(written(summary).contains("condition_estimate"));
+  CHECK(written(summary)["status"] == "failed");
+
+  ErrorNorms errors;
+  errors.displacement_l2_relative = 1e-3;
+  errors.displacement[1] = {.mean_relative = 2e-3, .mean_absolute = 3e-3, .max_absolute = 4e-3};
+  errors.stress[2] = {.mean_relative = std::nullopt, .mean_absolute = 5.0, .max_absolute = 6.0};
+  errors.boundary_l2_displacement["left"] = 7e-3;
+  summary.errors = errors;
+  summary.condition_estimate = 1e6;
+  const Json json = written(summary);
+  CHECK(json["condition_estimate"] == 1e6);
+  const Json& u = json["errors"]["displacement"];
+  CHECK(u["l2_relative"] == 1e-3);
+  CHECK(u["mean_relative"] == Json({nullptr, 2e-3}));
+  CHECK(u["mean_absolute"] == Json({0.0, 3e-3}));
+  CHECK(u["max_absolute"] == Json({0.0, 4e-3}));
+  const Json& stress = json["errors"]["stress"];
+  CHECK(stress["l2_relative"].is_null());
+  CHECK(stress["mean_relative"] == Json({nullptr, nullptr, nullptr}));
+  CHECK(stress["mean_absolute"] == Json({0.0, 0.0, 5.0}));
+  CHECK(json["errors"]["boundary"]["left"]["l2_displacement"] == 7e-3);
+}
+
+TEST_CASE("a number that is not finite and a text that is no UTF-8 still give valid JSON", "[engine][summary]") {
+  Summary summary;
+  summary.message = "caf\xe9";
+  summary.timings = {{"total", std::numeric_limits<double>::quiet_NaN()}};
+  summary.reactions["left"] = Vec3::Constant(std::numeric_limits<double>::infinity());
+  const Json json = written(summary);
+  CHECK(json["timings"]["total"].is_null());
+  CHECK(json["reactions"]["left"] == Json({nullptr, nullptr, nullptr}));
+  CHECK_THAT(json["message"].get<std::string>(), Contains("caf"));
+}
+
+TEST_CASE("a summary that cannot be written leaves the old one and says why", "[engine][summary]") {
+  const OutputFolder folder;
+  CHECK_THROWS_AS(write_summary({}, folder.path / "missing"), OutputError);
+  CHECK_THROWS_WITH(write_summary({}, folder.path / "missing"), Contains("summary.json") && Contains("No such file"));
+
+  std::ofstream(folder.path / "summary.json") << "old";
+  std::filesystem::create_directory(folder.path / "summary.json.part");
+  CHECK_THROWS_WITH(write_summary({}, folder.path), Contains("Is a directory"));
+  std::string kept;
+  std::ifstream(folder.path / "summary.json") >> kept;
+  CHECK(kept == "old");
+}

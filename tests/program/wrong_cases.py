@@ -1,0 +1,212 @@
+"""Wrong cases, one fault each: made from a case that has every key, and the fault's place and message."""
+
+import copy
+import json
+
+CASE = {
+    "title": "every key",
+    "analysis": {"type": "quasi_static", "plane": "strain", "load_steps": 2, "loading": "residual"},
+    "material": {"type": "linear_elastic", "youngs_modulus": 1e7, "poissons_ratio": 0.2, "density": 2000.0},
+    "grid": {"cells": "quadrilateral", "basis": "bilinear", "lower": [-2, -2], "upper": [2, 2], "cell_size": 0.5},
+    "boundaries": [
+        {"name": "bottom", "points": [[-1, 0], [0, 0], [1, 0]], "corners": [1],
+         "condition": {"type": "roller", "method": "nitsche", "band": 0.01}},
+        {"name": "top", "arc": {"centre": [0, 0], "radius": 1, "from": 0, "to": 180, "points": 9},
+         "condition": {"type": "pressure", "value": "p*t"}},
+        {"name": "hole", "circle": {"centre": [0, 0.4], "radius": 0.2, "points": 12, "hole": True},
+         "condition": {"type": "traction", "value": [0, "p*t"]}},
+        {"name": "beam", "line": {"from": [0, -2], "to": [1, -2], "points": 2},
+         "condition": {"type": "fixed", "method": "implicit_boundary", "band": 1e-3}},
+    ],
+    "material_points": {"per_cell": [2, 2], "fill": "lattice", "volumes": "clipped"},
+    "body_force": [0, "p"],
+    "gravity": [0, -9.81],
+    "ghost": 1e-3,
+    "constants": {"p": 1000.0},
+    "exact": {"type": "expressions", "displacement": [0, "p*y"], "stress": [0, "p", 0]},
+    "solver": {"threads": 1},
+    "diagnostics": {"condition_estimate": True},
+    "output": {"every": 1, "pictures": False},
+}
+
+OPTIONAL = {"title", "load_steps", "loading", "density", "cells", "basis", "corners", "condition", "method", "band",
+            "fill", "volumes", "body_force", "gravity", "ghost", "constants", "exact", "solver", "threads",
+            "diagnostics", "condition_estimate", "output", "every", "pictures", "hole", "p"}
+
+
+class Wrong:
+    """One wrong case: its name, its text, where the fault lies, what the message must say.
+
+    structural: the JSON Schema alone must refuse it."""
+
+    def __init__(self, name, text, pointer, words, structural):
+        self.name, self.text, self.pointer, self.words, self.structural = name, text, pointer, words, structural
+
+
+def changed(path, change):
+    """The case's text after change(parent, last key) at a path like grid/lower/0."""
+    case = copy.deepcopy(CASE)
+    at = case
+    *steps, last = [int(s) if s.isdigit() else s for s in path.split("/")]
+    for step in steps:
+        at = at[step]
+    change(at, last)
+    return json.dumps(case)
+
+
+def replaced(path, value):
+    return changed(path, lambda at, last: at.__setitem__(last, value))
+
+
+def keys(value, pointer=""):
+    """The pointers of all keys of objects, at any depth."""
+    entries = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, inner in entries:
+        if isinstance(value, dict):
+            yield f"{pointer}/{key}"
+        yield from keys(inner, f"{pointer}/{key}")
+
+
+def every_key_misspelt_mistyped_missing():
+    for pointer in keys(CASE):
+        parent, key = pointer.rsplit("/", 1)
+        path = pointer[1:]
+        shape = parent.count("/") == 2 and key in ("points", "line", "arc", "circle")
+        if parent != "/constants":
+            misspelt = key[:-1] + "q" + key[-1]
+            text = changed(path, lambda at, last: at.__setitem__(misspelt, at.pop(last)))
+            words = ['"type" is missing'] if key == "type" else ["found unknown key", misspelt, "expected"]
+            yield Wrong(f"misspelt {pointer}", text, parent, words, True)
+        yield Wrong(f"mistyped {pointer}", replaced(path, None), pointer, ["found null", "expected"], True)
+        if key not in OPTIONAL and not (key == "points" and not shape):
+            text = changed(path, lambda at, last: at.pop(last))
+            words = ["exactly one of"] if shape else [f'"{key}" is missing', "expected"]
+            yield Wrong(f"missing {pointer}", text, parent, words, True)
+
+
+def wrong_values():
+    table = [  # path, value, in the message, whether the schema sees it
+        ("title", 5, "a string", True),
+        ("analysis/type", "explicit_dynamics", '"quasi_static"', True),
+        ("analysis/plane", "stres", 'nearest: "stress"', True),
+        ("analysis/load_steps", 0, "whole number from 1", True),
+        ("analysis/load_steps", -3, "whole number from 1", True),
+        ("analysis/load_steps", 1.5, "whole number", True),
+        ("analysis/load_steps", 1000001, "1000000", True),
+        ("analysis/load_steps", 1e300, "1000000", True),
+        ("material/youngs_modulus", 0, "> 0", True),
+        ("material/youngs_modulus", -1e7, "> 0", True),
+        ("material/youngs_modulus", "1e7", "a number", True),
+        ("material/youngs_modulus", 1e31, "1e+30", True),
+        ("material/poissons_ratio", 0.5, "< 0.5", True),
+        ("material/poissons_ratio", -1, "> -1", True),
+        ("material/density", 0, "> 0", True),
+        ("grid/cells", "triangle", '"quadrilateral"', True),
+        ("grid/basis", "powell_sabin", '"bilinear"', True),
+        ("grid/lower", [0], "list of 2", True),
+        ("grid/lower/0", 2e9, "1e+09", True),
+        ("grid/upper", [0, 0, 0], "list of 2", True),
+        ("grid/upper/1", -2, "expected more than -2", False),
+        ("grid/cell_size", 0, "> 0", True),
+        ("grid/cell_size", -0.5, "> 0", True),
+        ("grid/cell_size", [0.5], "list of 2", True),
+        ("grid/cell_size", 1.2e-4, "1.11e+09 cells, expected at most 1e+08", False),
+        ("grid/cell_size", 1e-300, "cells, expected at most 1e+08", False),
+        ("grid/cell_size", "NaN", "a number", True),
+        ("boundaries", [], "at least 1", True),
+        ("boundaries", {}, "a list", True),
+        ("boundaries/0", "bottom", "an object", True),
+        ("boundaries/0/name", "", "a name", True),
+        ("boundaries/0/name", "a/b", "a name", True),
+        ("boundaries/1/name", "bottom", "the name of boundary 0", False),
+        ("boundaries/0/points", [[0, 0]], "at least 2", True),
+        ("boundaries/0/points/1", [0], "list of 2", True),
+        ("boundaries/0/points/1", [-1, 0], "the same point twice", False),
+        ("boundaries/0/points/1/0", 1e10, "1e+09", True),
+        ("boundaries/0/corners/0", 0, "an inner point, 1 to 1", False),
+        ("boundaries/0/corners/0", -1, "whole number", True),
+        ("boundaries/0/condition/type", "rollar", 'nearest: "roller"', True),
+        ("boundaries/0/condition/type", "displacement", '"fixed"', True),
+        ("boundaries/0/condition/method", "penalty", '"nitsche"', True),
+        ("boundaries/0/condition/band", 0, "> 0", True),
+        ("boundaries/0/condition/band", 0.2, "0.1", True),
+        ("boundaries/1/condition/value", "q*t", "character 1", False),
+        ("boundaries/1/condition/value", "p=t", "==", False),
+        ("boundaries/1/condition/value", "", "empty", False),
+        ("boundaries/1/arc/radius", -1, "> 0", True),
+        ("boundaries/1/arc/points", 1, "from 2", True),
+        ("boundaries/2/circle/points", 2, "from 3", True),
+        ("boundaries/2/circle/hole", "yes", "true or false", True),
+        ("boundaries/2/condition/value", [1], "list of 2", True),
+        ("boundaries/2/condition/value/1", "sin(t", "parenthesis", False),
+        ("boundaries/3/line/points", 1000001, "1000000", True),
+        ("material_points", [], "an object", True),
+        ("material_points/per_cell", 0, "from 1 to 1000", True),
+        ("material_points/per_cell", 1001, "from 1 to 1000", True),
+        ("material_points/per_cell", [2, 2, 2], "list of 2", True),
+        ("material_points/fill", "polar", '"vertex"', True),
+        ("material_points/volumes", "fitted", '"clipped"', True),
+        ("body_force", 1, "list of 2", True),
+        ("gravity/1", "down", "a number", True),
+        ("ghost", -1e-3, "≥ 0", True),
+        ("constants/p", "1000", "a number", True),
+        ("exact/type", "plate", '"expressions"', True),
+        ("exact/displacement", [0], "list of 2", True),
+        ("exact/stress/1", "p*z", "character 3", False),
+        ("solver/threads", -1, "from 0", True),
+        ("solver/threads", 100000, "1024", True),
+        ("diagnostics/condition_estimate", 1, "true or false", True),
+        ("output/every", 0, "from 1", True),
+        ("output/pictures", "no", "true or false", True),
+    ]
+    for path, value, words, structural in table:
+        formula = isinstance(value, str) and ("/value" in path or path.startswith("exact/stress"))
+        found = "formula" if formula else "found"
+        yield Wrong(f"{path} = {value!r}", replaced(path, value), "/" + path, [found, words], structural)
+
+
+def wrong_together():
+    """Keys that are right alone."""
+    def also(path, key, value, pointer, words, structural):
+        text = changed(path + "/" + key, lambda at, last: at.__setitem__(last, value))
+        return Wrong(f"{path} with {key}", text, pointer, words, structural)
+
+    yield also("boundaries/0", "line", {"from": [0, 0], "to": [1, 0]}, "/boundaries/0", ["exactly one of"], True)
+    yield also("boundaries/0/condition", "value", 3, "/boundaries/0/condition", ['unknown key "value"'], True)
+    yield also("boundaries/1/condition", "band", 0.01, "/boundaries/1/condition", ['unknown key "band"'], True)
+    yield also("boundaries/0/condition", "method", "grid", "/boundaries/0/condition/band", ["expected none"], False)
+    yield also("boundaries/1/arc", "to", 360, "/boundaries/1/arc", ["360"], False)
+    yield also("boundaries/3/line", "to", [0, -2], "/boundaries/3/line", ["different"], False)
+    yield also("constants", "t", 1, "/constants/t", ["variable"], False)
+    yield also("constants", "sin", 1, "/constants/sin", ["function"], False)
+    yield also("constants", "1p", 1, "/constants/1p", ["letters"], False)
+    yield also("material_points", "points", [[0, 0]], "/material_points", ["unknown key"], True)
+    yield Wrong("more volumes than points", replaced("material_points", {"points": [[0, 0]], "volumes": [1, 1]}),
+                "/material_points/volumes", ["2 volumes", "1 point"], False)
+    yield Wrong("a negative volume", replaced("material_points", {"points": [[0, 0]], "volumes": [-1]}),
+                "/material_points/volumes/0", ["found -1", "> 0"], True)
+    yield Wrong("gravity without density", changed("material/density", lambda at, last: at.pop(last)),
+                "/gravity", ["density"], False)
+
+
+def wrong_texts():
+    whole = json.dumps(CASE)
+    yield Wrong("empty", "", "", ["empty"], False)
+    yield Wrong("blank", " \n\t\n", "", ["empty"], False)
+    yield Wrong("no JSON", "title: square", "", ["line 1, column"], False)
+    yield Wrong("truncated", json.dumps(CASE, indent=1)[:400], "", ["line ", "column "], False)
+    yield Wrong("something behind", whole + "}", "", ["line 1, column"], False)
+    yield Wrong("a list", "[1, 2]", "", ["found [1,2]", "an object"], True)
+    yield Wrong("a number", "7", "", ["found 7", "an object"], True)
+    yield Wrong("NaN", whole.replace("0.2,", "NaN,", 1), "", ["line 1, column"], False)
+    yield Wrong("Infinity", whole.replace("0.2,", "-Infinity,", 1), "", ["line 1, column"], False)
+    yield Wrong("1e999", whole.replace("0.2,", "1e999,", 1), "/material/poissons_ratio", ["double"], False)
+    yield Wrong("a key twice", whole.replace('"plane"', '"type": "quasi_static", "plane"', 1), "/analysis/type",
+                ["twice"], False)
+    yield Wrong("nested without end", '{"title": ' + "[" * 200000, "/title" + "/0" * 32, ["deeper"], False)
+    yield Wrong("bytes that are no text", '{"title": "\udcff"}', "", ["line 1", "UTF-8"], False)
+
+
+def all_wrong_cases():
+    for family in (every_key_misspelt_mistyped_missing, wrong_values, wrong_together, wrong_texts):
+        yield from family()
