@@ -1,5 +1,8 @@
 # What ./run and ./check share: packages and build. Sourced by both; `top` is the root of the source tree.
 
+# Threads that wait should sleep: on a shared machine spinning ones take the cores that the work needs.
+export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}
+
 # Prints the packages of the named sections of packages.txt.
 packages() {
   awk -v wanted=" $* " '/^# section:/ {on = index(wanted, " " $3 " ")} /^[^#]/ && on {print $1}' "$top/packages.txt"

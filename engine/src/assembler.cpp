@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "threads.hpp"
+
 namespace shoreline {
 namespace {
 
@@ -20,11 +22,11 @@ struct Lists {
   template <class Length, class Write>
   static Lists build(Index count, Length&& length, Write&& write) {
     Lists lists{.first = std::vector<Index>(at(count) + 1, 0), .entry = {}};
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (worth_threads(at(count)))
     for (Index k = 0; k < count; ++k) lists.first[at(k) + 1] = length(k);
     std::partial_sum(lists.first.begin(), lists.first.end(), lists.first.begin());
     lists.entry.resize(at(lists.first.back()));
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (worth_threads(at(count)))
     for (Index k = 0; k < count; ++k) write(k, lists.entry.begin() + lists.first[at(k)]);
     return lists;
   }
@@ -112,7 +114,7 @@ void Assembler::build_pattern(const ElementBlocks& blocks) {
 
   place_.resize(blocks.matrix.size());
   places_.resize(blocks.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (worth_threads(place_.size()))
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     std::size_t k = blocks.entry[b];
     const auto equation = [&](Index i) { return equation_[2 * at(function_[at(first_[b] + i / 2)]) + at(i % 2)]; };
@@ -139,7 +141,7 @@ void Assembler::assemble(const ElementBlocks& blocks, SparseMatrix& matrix, Eige
   matrix.row = row_;
   matrix.value.resize(row_.size());
   force.setZero(equations());
-#pragma omp parallel
+#pragma omp parallel if (worth_threads(place_.size()))
   {
     // Each thread sums its own range of values over all blocks in order: no sum depends on the number of threads.
     const auto threads = static_cast<std::size_t>(omp_get_num_threads());

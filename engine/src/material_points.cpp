@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "shoreline/engine/failures.hpp"
+#include "threads.hpp"
 
 namespace shoreline {
 namespace {
@@ -16,7 +17,7 @@ constexpr double nudge = 1e-9;  ///< of a cell: moves a point on the outline off
 std::vector<Index> cells_of(const Basis& basis, const MaterialPoints& points) {
   const Grid& grid = basis.grid();
   std::vector<Index> cell(static_cast<std::size_t>(points.size()));
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (worth_threads(cell.size()))
   for (Index p = 0; p < points.size(); ++p)
     cell[static_cast<std::size_t>(p)] = grid.locate(points.position.col(p), 0).value_or(-1);
   for (const OutlinePoint& edge : points.on_outline) {
@@ -66,7 +67,7 @@ void evaluate(const Basis& basis, const MaterialPoints& points, PointSupports& s
   const Eigen::Index n = supports.functions;
   supports.value.resize(points.size() * n);
   supports.gradient.resize(points.size() * 2 * n);
-#pragma omp parallel
+#pragma omp parallel if (worth_threads(supports.point.size()))
   {
     std::vector<Vec2> x;
 #pragma omp for schedule(static)

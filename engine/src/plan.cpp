@@ -38,8 +38,7 @@ std::string left_out(const Case& problem) {
   const auto unless = [&](bool named, const char* effect, const char* why) {
     if (!named) text += fmt::format("  {:<20}{}\n", effect, why);
   };
-  unless(problem.body_force.has_value(), "body force", "no key body_force");
-  unless(problem.gravity.has_value(), "gravity", "no key gravity");
+  unless(problem.body_force || problem.gravity, "body force", "no key body_force or gravity");
   unless(problem.ghost > 0.0, "ghost penalty", "ghost is 0");
   unless(problem.exact.has_value(), "errors", "no key exact");
   unless(problem.condition_estimate, "condition estimate", "diagnostics.condition_estimate is false");

@@ -5,6 +5,7 @@
 #include "diagnosis.hpp"
 #include "shoreline/engine/failures.hpp"
 #include "shoreline/engine/linear_solver.hpp"
+#include "threads.hpp"
 
 namespace shoreline {
 namespace {
@@ -36,7 +37,7 @@ std::vector<Edge> make_edges(const Scene& scene, const PointSupports& supports, 
 void move_points(const Scene& scene, const PointSupports& supports, const Eigen::Matrix2Xd& increment,
                  MaterialPoints& points) {
   const auto n = static_cast<std::size_t>(supports.functions);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (worth_threads(supports.point.size()))
   for (Index c = 0; c < supports.cells(); ++c) {
     const auto cell = static_cast<std::size_t>(c);
     const ShortIndices functions = scene.basis->functions_of(supports.cell[cell]);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "../threads.hpp"
 #include "shoreline/bases/error.hpp"
 #include "shoreline/engine/effects.hpp"
 
@@ -45,7 +46,7 @@ class Stiffness final : public Contribution {
  private:
   template <int N>
   void add_cells(const StepState& step, std::size_t begin, ElementBlocks& blocks) const {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (worth_threads(step.supports.point.size()))
     for (Index c = 0; c < step.supports.cells(); ++c)
       add_cell<N>(step, static_cast<std::size_t>(c), begin + static_cast<std::size_t>(c), blocks);
   }
