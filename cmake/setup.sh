@@ -1,7 +1,7 @@
 # What ./run and ./check share: packages and build. Sourced by both; `top` is the root of the source tree.
 
-# Threads that wait should sleep: on a shared machine spinning ones take the cores that the work needs.
-export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive}
+# Threads that wait should sleep: spinning ones, ours and those of the BLAS, take the cores that the work needs.
+export OMP_WAIT_POLICY=${OMP_WAIT_POLICY:-passive} OPENBLAS_THREAD_TIMEOUT=${OPENBLAS_THREAD_TIMEOUT:-4}
 
 # Prints the packages of the named sections of packages.txt.
 packages() {
