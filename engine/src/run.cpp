@@ -2,7 +2,7 @@
 
 #include <omp.h>
 
-#include <algorithm>
+#include <chrono>
 #include <variant>
 
 #include "shoreline/engine/linear_solver.hpp"
@@ -61,12 +61,13 @@ ErrorNorms errors_of(const Scene& scene, const std::vector<SplineCurve>& origina
 }
 
 /// What the record of a run tells, in the form of the summary.
-void take_over(const RunRecord& record, Summary& summary) {
+/// @param total  since the start of the run [s]
+void take_over(const RunRecord& record, double total, Summary& summary) {
   summary.steps = record.steps;
   summary.degrees_of_freedom = record.degrees_of_freedom;
   summary.effects.clear();
   for (const Clock::Entry& e : record.effects.entries()) summary.effects.push_back({e.name, e.calls, e.seconds});
-  summary.timings.clear();
+  summary.timings = {{"total", total}};
   for (const Clock::Entry& e : record.phases.entries()) summary.timings.emplace_back(e.name, e.seconds);
   summary.loads = record.resultants.loads;
   summary.reactions = record.resultants.reactions;
@@ -94,6 +95,7 @@ int use_threads(int asked) {
 }  // namespace
 
 Summary run(const Case& problem, const RunOptions& options) {
+  const auto start_time = std::chrono::steady_clock::now();
   const int threads = use_threads(problem.threads);
   RunRecord record;
   Scene scene = record.phases.time("setup", [&] { return build_scene(problem); });
@@ -114,7 +116,7 @@ Summary run(const Case& problem, const RunOptions& options) {
     if (completed && problem.output.pictures)
       if (const auto warning = record.phases.time("pictures", [&] { return make_pictures(options.output); }))
         record.warnings.push_back(*warning);
-    take_over(record, summary);
+    take_over(record, std::chrono::duration<double>(std::chrono::steady_clock::now() - start_time).count(), summary);
     summary.warnings = record.warnings;
     write_summary(summary, options.output);
   };

@@ -48,6 +48,12 @@ TEST_CASE("a run leaves its summary and results, and returns the summary", "[eng
   CHECK(json["degrees_of_freedom"] == summary.degrees_of_freedom);
   CHECK(json["loads"].contains("top"));
   CHECK(json["reactions"].size() == 3);
+
+  const double total = json["timings"]["total"];
+  double phases = -total;
+  for (const auto& seconds : json["timings"]) phases += seconds.get<double>();
+  CHECK(phases > 0.0);
+  CHECK(phases <= total);
 }
 
 TEST_CASE("errors of a run are those of its exact solution", "[engine][run]") {

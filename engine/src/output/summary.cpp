@@ -78,6 +78,7 @@ void write_summary(const Summary& summary, const std::filesystem::path& folder) 
   if (summary.errors) json["errors"] = error_norms(*summary.errors);
   json["reactions"] = resultants(summary.reactions);
   json["loads"] = resultants(summary.loads);
+  json["extended_share"] = summary.extended_share;
   add_costs(summary, json);
   if (summary.condition_estimate) json["condition_estimate"] = *summary.condition_estimate;
   write_atomically(folder / "summary.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
