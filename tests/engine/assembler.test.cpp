@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "../../engine/src/threads.hpp"
 #include "dense_blocks.hpp"
 
 using namespace shoreline;
@@ -112,7 +113,8 @@ TEST_CASE("blocks over the same functions keep the pattern, others do not", "[en
 
 TEST_CASE("sums do not depend on the number of threads, to the last digit", "[engine][assembler]") {
   test::Random random(4);
-  const ElementBlocks blocks = test::random_blocks(random, functions, 200);
+  const ElementBlocks blocks = test::random_blocks(random, functions, 5000);
+  REQUIRE(worth_threads(blocks.matrix.size()));
   Assembler assembler;
   assembler.prepare(blocks, {{3, 1, 0}}, functions);
   const int threads_before = omp_get_max_threads();

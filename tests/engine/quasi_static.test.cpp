@@ -1,11 +1,15 @@
 #include "shoreline/engine/quasi_static.hpp"
 
+#include <omp.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "../../engine/src/threads.hpp"
 #include "../random.hpp"
 #include "../scenes.hpp"
+#include "shoreline/engine/linear_solver.hpp"
 
 using namespace shoreline;
 using Catch::Matchers::Contains;
@@ -101,6 +105,23 @@ TEST_CASE("residual loading keeps the balance where a roller's piece turns as th
       const Vec3 sum = test::imbalance(record.resultants);
       CHECK(sum.norm() <= 1e-9 * record.resultants.loads.at("body_force").norm());
     }
+}
+
+TEST_CASE("a run does not depend on the number of threads, to the last digit", "[engine][quasi_static]") {
+  const int threads_before = omp_get_max_threads();
+  set_blas_threads(1);
+  const auto points_with = [](int threads) {
+    omp_set_num_threads(threads);
+    Scene scene = test::compression_square({.angle = 0.3, .cells = 150, .ghost = 1e-3, .steps = 1});
+    REQUIRE(worth_threads(static_cast<std::size_t>(scene.points.size())));
+    run(scene);
+    return scene.points;
+  };
+  const MaterialPoints one = points_with(1);
+  const MaterialPoints two = points_with(2);
+  omp_set_num_threads(threads_before);
+  CHECK(one.position == two.position);
+  CHECK(one.stress == two.stress);
 }
 
 TEST_CASE("incremental and residual loading agree at small strain", "[engine][quasi_static]") {
