@@ -13,7 +13,8 @@ using Catch::Matchers::EndsWith;
 
 namespace {
 
-/// What a progress of two steps prints when stderr is @p descriptor, read from @p reading_end.
+/// What a progress of two steps prints when stderr is @p descriptor, read from @p reading_end up to a mark written
+/// behind it: a terminal hands over what is written in portions, at its own time.
 std::string printed(int descriptor, int reading_end, bool quiet) {
   const int kept = dup(STDERR_FILENO);
   dup2(descriptor, STDERR_FILENO);
@@ -24,10 +25,10 @@ std::string printed(int descriptor, int reading_end, bool quiet) {
   fflush(stderr);
   dup2(kept, STDERR_FILENO);
   close(kept);
-  fcntl(reading_end, F_SETFL, O_NONBLOCK);
-  std::array<char, 256> text{};
-  const auto length = read(reading_end, text.data(), text.size());
-  return length > 0 ? std::string(text.data(), static_cast<std::size_t>(length)) : "";
+  REQUIRE(write(descriptor, "|", 1) == 1);
+  std::string text;
+  for (char c = 0; read(reading_end, &c, 1) == 1 && c != '|';) text += c;
+  return text;
 }
 
 }  // namespace
