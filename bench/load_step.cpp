@@ -38,11 +38,11 @@ Case square(int cells, int per_cell) {
   Case problem;
   problem.material = {.youngs_modulus = 1e6, .poissons_ratio = 0.25, .density = {}};
   problem.grid = {.lower = Vec2::Zero(), .upper = Vec2::Ones(), .cell_size = Vec2::Constant(h)};
-  problem.boundaries = {side("bottom", {low, low}, {high, low}, roller),
-                        side("right", {high, low}, {high, high}, roller),
-                        side("top", {high, high}, {low, high}, Case::Traction{{Quantity(0.0), Quantity(-1.0)}}),
-                        side("left", {low, high}, {low, low}, roller)};
-  problem.material_points = Case::LatticeFill{{per_cell, per_cell}, VolumeRule::clipped};
+  problem.boundaries = {
+      side("bottom", {low, low}, {high, low}, roller), side("right", {high, low}, {high, high}, roller),
+      side("top", {high, high}, {low, high}, Case::Traction{std::array{Quantity(0.0), Quantity(-1.0)}}),
+      side("left", {low, high}, {low, low}, roller)};
+  problem.material_points = LatticeFill{{per_cell, per_cell}, VolumeRule::clipped};
   problem.load_steps = 2;
   return problem;
 }

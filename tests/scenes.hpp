@@ -49,11 +49,12 @@ inline Case compression_case(const CompressionSquare& o) {
   problem.load_steps = o.steps;
   problem.material = {.youngs_modulus = o.youngs_modulus, .poissons_ratio = o.poissons_ratio, .density = {}};
   problem.grid = {.lower = Vec2::Constant(-reach), .upper = Vec2::Constant(reach), .cell_size = Vec2(h, h)};
-  problem.boundaries = {
-      side("bottom", corner(0, 0), corner(1, 0), roller), side("right", corner(1, 0), corner(1, 1), roller),
-      side("top", corner(1, 1), corner(0, 1), Case::Traction{{quantity(traction.x()), quantity(traction.y())}}),
-      side("left", corner(0, 1), corner(0, 0), roller)};
-  problem.material_points = Case::LatticeFill{{o.per_cell, o.per_cell}, VolumeRule::clipped};
+  problem.boundaries = {side("bottom", corner(0, 0), corner(1, 0), roller),
+                        side("right", corner(1, 0), corner(1, 1), roller),
+                        side("top", corner(1, 1), corner(0, 1),
+                             Case::Traction{std::array{quantity(traction.x()), quantity(traction.y())}}),
+                        side("left", corner(0, 1), corner(0, 0), roller)};
+  problem.material_points = LatticeFill{{o.per_cell, o.per_cell}, VolumeRule::clipped};
   problem.ghost = o.ghost;
   return problem;
 }
@@ -89,7 +90,7 @@ inline Case disc_case(double radius, double h, Case::Condition condition) {
   for (int k = 0; k < 16; ++k)
     problem.boundaries[0].piece.points.emplace_back(
         radius * (Eigen::Rotation2Dd(k * std::numbers::pi / 8.0) * Vec2::UnitX()) + Vec2(0.11, 0.07) * h);
-  problem.material_points = Case::LatticeFill{{2, 2}, VolumeRule::clipped};
+  problem.material_points = LatticeFill{{2, 2}, VolumeRule::clipped};
   return problem;
 }
 
@@ -100,12 +101,13 @@ inline Scene disc() { return build_scene(disc_case(1.0, 0.21, Case::Free{})); }
 struct Step {
   PointSupports supports;
   std::vector<Edge> edges;
+  Eigen::Matrix2Xd prescribed{2, 0};
   StepState state;
 
   explicit Step(const Scene& scene, double t = 1.0, double t_before = 0.0)
       : supports(locate_points(*scene.basis, scene.points)),
         edges(make_edges(scene, supports.active)),
-        state{*scene.basis, scene.points, supports, edges, scene.loading, t, t_before} {}
+        state{*scene.basis, scene.points, supports, edges, scene.loading, t, t_before, prescribed} {}
   Step(const Step&) = delete;
   Step& operator=(const Step&) = delete;
 

@@ -27,11 +27,16 @@ QuadrilateralGrid::QuadrilateralGrid(const Vec2& lower, const Vec2& spacing, con
 
 Box QuadrilateralGrid::bounds() const { return {lower_, Vec2(line(0, count_[0]), line(1, count_[1]))}; }
 
+bool QuadrilateralGrid::covers(const Box& box) const {
+  const Box all = bounds();
+  return (box.lower.array() >= all.lower.array()).all() && (box.upper.array() <= all.upper.array()).all();
+}
+
 std::optional<Index> QuadrilateralGrid::locate(const Vec2& x, Index /*hint*/) const {
   std::array<Index, 2> place{};
   for (int axis = 0; axis < 2; ++axis) {
     const double cells_from_lower = (x[axis] - lower_[axis]) / spacing_[axis];
-    if (!(x[axis] >= lower_[axis] && x[axis] <= line(axis, count_[axis]))) return std::nullopt;
+    if (!(cells_from_lower >= -border_slack && cells_from_lower <= count_[axis] + border_slack)) return std::nullopt;
     place[axis] = std::clamp(static_cast<Index>(cells_from_lower), Index{0}, count_[axis] - 1);
   }
   return place[0] + place[1] * count_[0];

@@ -65,8 +65,8 @@ std::vector<int> successors(std::span<const Piece> pieces) {
 
 void check_lengths(std::span<const Piece> pieces, std::span<const SplineCurve> curves, double size) {
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    double length = 0.0;
-    for (const CubicSpan& span : curves[i].spans) length += span.length();
+    double length = 0.0;  // of the polygon: its curve is no point unless it is one
+    for (const CubicSpan& span : curves[i].spans) length += (span.control[3] - span.control[0]).norm();
     if (length <= 1e-12 * size)
       throw OutlineError(static_cast<int>(i), quoted(pieces[i].name) + ": the curve at " +
                                                   text(pieces[i].points.front()) + " has no length");

@@ -3,21 +3,15 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <span>
 
 #include "message.hpp"
+#include "runs.hpp"
 #include "shoreline/bases/error.hpp"
 #include "shoreline/bases/quadrature.hpp"
 
 namespace shoreline {
 namespace {
-
-/// Points first, …, first + chords of a piece (closed: modulo its size) without a corner between them.
-struct Run {
-  std::size_t first;
-  std::size_t chords;
-};
 
 [[noreturn]] void refuse(const Piece& piece, const std::string& problem) {
   throw InvalidArgument(quoted(piece.name) + ": " + problem);
@@ -58,22 +52,6 @@ void check_corners_and_tangents(const Piece& piece) {
   }
 }
 
-std::vector<Run> smooth_runs(const Piece& piece) {
-  const std::size_t count = piece.points.size();
-  std::set<std::size_t> breaks(piece.corners.begin(), piece.corners.end());
-  if (piece.closed && breaks.empty()) return {{0, count}};
-  if (piece.closed) {
-    breaks.insert(*breaks.begin() + count);
-  } else {
-    breaks.insert(0);
-    breaks.insert(count - 1);
-  }
-  std::vector<Run> runs;
-  for (auto next = std::next(breaks.begin()); next != breaks.end(); ++next)
-    runs.push_back({*std::prev(next), *next - *std::prev(next)});
-  return runs;
-}
-
 /// q_{-1}, q_0, [q_1, …, q_m], q_{m+1}, q_{m+2}: the chords of a run of m >= 2, continued by two at either end.
 std::vector<Vec2> continued_chords(std::span<const Vec2> chords, bool wraps) {
   const std::size_t m = chords.size();
@@ -105,7 +83,8 @@ std::vector<Vec2> run_tangents(const Piece& piece, const Run& run, std::span<con
     Vec2 direction = tangent_direction(std::span(q).subspan(k).first<4>());
     const bool at_end = !wraps && (k == 0 || k == chords.size());
     const Vec2& chord = chords[std::min(k, chords.size() - 1)];
-    if (at_end && direction.dot(chord) <= 0.0) direction = chord;  // the next chord is more than thrice as long
+    if (at_end && direction.dot(chord) <= 1e-12 * chord.squaredNorm())
+      direction = chord;  // the next chord is thrice as long or longer
     if (direction.norm() <= 1e-12 * chord.norm())
       refuse(piece, "the points turn back on themselves at " +
                         text(piece.points[(run.first + k) % piece.points.size()]) + "; declare a corner there");

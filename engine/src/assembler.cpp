@@ -158,10 +158,27 @@ void Assembler::assemble(const ElementBlocks& blocks, SparseMatrix& matrix, Eige
   for (std::size_t k = 0; k < blocks.function.size(); ++k)
     for (std::size_t c = 0; c < 2; ++c)
       if (const Index e = equation_[2 * at(blocks.function[k]) + c]; e >= 0) force[e] += blocks.force[2 * k + c];
+  add_prescribed(blocks, force);
+}
+
+void Assembler::add_prescribed(const ElementBlocks& blocks, Eigen::VectorXd& force) const {
+  if (std::ranges::all_of(constraints_, [](const Constraint& c) { return c.value == 0.0; })) return;
+  const Eigen::Matrix2Xd prescribed = expand(Eigen::VectorXd::Zero(equations()));
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const auto begin = blocks.function.begin() + blocks.first[b];
+    const auto end = blocks.function.begin() + blocks.first[b + 1];
+    if (std::all_of(begin, end, [&](Index f) { return prescribed.col(f).isZero(0.0); })) continue;
+    const Eigen::VectorXd product = blocks.times(b, prescribed);
+    for (auto f = begin; f != end; ++f)
+      for (std::size_t c = 0; c < 2; ++c)
+        if (const Index e = equation_[2 * at(*f) + c]; e >= 0)
+          force[e] -= product[2 * (f - begin) + static_cast<Eigen::Index>(c)];
+  }
 }
 
 Eigen::Matrix2Xd Assembler::expand(const Eigen::VectorXd& solution) const {
   Eigen::Matrix2Xd increment = Eigen::Matrix2Xd::Zero(2, static_cast<Eigen::Index>(equation_.size() / 2));
+  for (const Constraint& c : constraints_) increment(c.component, c.function) = c.value;
   for (Index e = 0; e < equations(); ++e) increment(unknown(e) % 2, unknown(e) / 2) = solution[e];
   return increment;
 }

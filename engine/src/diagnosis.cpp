@@ -86,6 +86,22 @@ std::string describe(const Vec3& mode) {
   return fmt::format("slide along ({:.2g}, {:.2g})", mode[0], mode[1]);
 }
 
+Index points_in(const StepState& step, std::size_t cell) {
+  return step.supports.first[cell + 1] - step.supports.first[cell];
+}
+
+std::string count(Index number, const char* one) { return fmt::format("{} {}{}", number, one, number == 1 ? "" : "s"); }
+
+/// Where a cell is, and what it holds.
+/// @param cell  place in the list of active cells
+std::string describe_cell(const StepState& step, std::size_t cell) {
+  Vec2 centre = Vec2::Zero();
+  const std::vector<Vec2> polygon = step.basis.grid().polygon(step.supports.cell[cell]);
+  for (const Vec2& vertex : polygon) centre += vertex / static_cast<double>(polygon.size());
+  return fmt::format("around ({:.6g}, {:.6g}) with {}", centre.x(), centre.y(),
+                     count(points_in(step, cell), "material point"));
+}
+
 }  // namespace
 
 std::optional<std::string> free_motion(const StepState& step, const ElementBlocks& blocks,
@@ -104,10 +120,10 @@ std::optional<std::string> free_motion(const StepState& step, const ElementBlock
     const Eigen::SelfAdjointEigenSolver<Mat3> modes(scale.asDiagonal() * body.energy * scale.asDiagonal());
     if (modes.eigenvalues()[0] > 1e-13) continue;
     const Vec3 mode = (scale.asDiagonal() * modes.eigenvectors().col(0)).normalized();
-    return fmt::format(
-        "{} with {} material point{} in {} cell{} around ({:.6g}, {:.6g}) can {} freely: nothing holds it",
-        found.size() == 1 ? "the body" : "a separate part of the body", body.points, body.points == 1 ? "" : "s",
-        body.cells, body.cells == 1 ? "" : "s", body.centre.x(), body.centre.y(), describe(mode));
+    return fmt::format("{} with {} in {} around ({:.6g}, {:.6g}) can {} freely: nothing holds it",
+                       found.size() == 1 ? "the body" : "a separate part of the body",
+                       count(body.points, "material point"), count(body.cells, "cell"), body.centre.x(),
+                       body.centre.y(), describe(mode));
   }
   return std::nullopt;
 }
@@ -116,16 +132,45 @@ std::string weak_unknown(const StepState& step, Index unknown) {
   const Index function = unknown / 2;
   double volume = 0.0;
   Index points = 0;
+  std::optional<std::size_t> emptiest;
   for (std::size_t c = 0; c < step.supports.cell.size(); ++c) {
     const ShortIndices functions = step.basis.functions_of(step.supports.cell[c]);
     if (std::find(functions.begin(), functions.end(), function) == functions.end()) continue;
+    if (!emptiest || points_in(step, c) < points_in(step, *emptiest)) emptiest = c;
     for (Index k = step.supports.first[c]; k < step.supports.first[c + 1]; ++k, ++points)
       volume += step.points.volume[step.supports.point[at(k)]];
   }
   const Vec2 x = step.basis.control_point(function);
+  return fmt::format("the {} displacement of the function at ({:.6g}, {:.6g}), which sees {} of {:.3g} m² in all{}",
+                     unknown % 2 == 0 ? "x" : "y", x.x(), x.y(), count(points, "material point"), volume,
+                     emptiest ? "; its emptiest cell is " + describe_cell(step, *emptiest) : "");
+}
+
+std::optional<std::string> stray_point(const StepState& step, const Eigen::Matrix2Xd& increment) {
+  const auto n = at(step.supports.functions);
+  double largest = 0.0;
+  std::size_t cell = 0;
+  Index point = 0;
+  for (std::size_t c = 0; c < step.supports.cell.size(); ++c) {
+    const ShortIndices functions = step.basis.functions_of(step.supports.cell[c]);
+    for (auto k = at(step.supports.first[c]); k < at(step.supports.first[c + 1]); ++k) {
+      Vec2 motion = Vec2::Zero();
+      for (std::size_t a = 0; a < n; ++a)
+        motion += step.supports.value[k * n + a] * increment.col(functions[static_cast<Eigen::Index>(a)]);
+      if (motion.norm() <= largest) continue;
+      largest = motion.norm();
+      cell = c;
+      point = step.supports.point[k];
+    }
+  }
+  const auto& x = step.points.position;
+  const double size = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).norm();
+  if (largest <= size) return std::nullopt;
   return fmt::format(
-      "the {} displacement of the function at ({:.6g}, {:.6g}), which sees {} material point{} of {:.3g} m² in all",
-      unknown % 2 == 0 ? "x" : "y", x.x(), x.y(), points, points == 1 ? "" : "s", volume);
+      "the material point at ({:.6g}, {:.6g}) would move by {:.1e} m, more than the size of the body, {:.3g} m; it is "
+      "in "
+      "the cell {}",
+      x(0, point), x(1, point), largest, size, describe_cell(step, cell));
 }
 
 }  // namespace shoreline

@@ -16,8 +16,12 @@ namespace shoreline {
 [[nodiscard]] std::optional<std::string> free_motion(const StepState& step, const ElementBlocks& blocks,
                                                      const std::vector<Constraint>& constraints);
 
-/// Where an unknown sits, how much material its function sees, and what to try.
+/// Where an unknown sits, how much material its function sees, and the cell there that holds the fewest points.
 /// @param unknown  2·function + component
 [[nodiscard]] std::string weak_unknown(const StepState& step, Index unknown);
+
+/// The material point that an increment moves farthest and its cell, where that is more than the size of the body.
+/// @param increment  (2, functions) Δd [m]
+[[nodiscard]] std::optional<std::string> stray_point(const StepState& step, const Eigen::Matrix2Xd& increment);
 
 }  // namespace shoreline

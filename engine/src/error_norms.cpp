@@ -8,6 +8,19 @@ namespace {
 
 constexpr double vanishing = 1e-12;  ///< of the largest exact value: below it no relative error is formed
 
+/// Distances from the origin at 1000 points that are evenly spread over the knots' parameter.
+Eigen::VectorXd sampled_radii(const SplineCurve& curve) {
+  Eigen::VectorXd radii(1000);
+  std::size_t span = 0;
+  for (Eigen::Index k = 0; k < radii.size(); ++k) {
+    const double at = curve.knots.back() * (static_cast<double>(k) + 0.5) / static_cast<double>(radii.size());
+    while (curve.knots[span + 1] < at) ++span;
+    const double u = (at - curve.knots[span]) / (curve.knots[span + 1] - curve.knots[span]);
+    radii[k] = curve.spans[span].position(u).norm();
+  }
+  return radii;
+}
+
 /// Norms of one field: computed and exact values, one column a point.
 template <std::size_t Components>
 void field_norms(const Eigen::MatrixXd& computed, const Eigen::MatrixXd& exact, const Eigen::VectorXd& volume,
@@ -43,20 +56,15 @@ ErrorNorms error_norms(const MaterialPoints& points, const ExactSolution& exact,
   return norms;
 }
 
-double boundary_error(const SplineCurve& original, const SplineCurve& now, bool normal_only, const ExactSolution& exact,
-                      double t) {
-  const QuadratureRule rule = gauss(4);
-  double sum = 0.0;
-  for (std::size_t k = 0; k < now.spans.size(); ++k)
-    for (Eigen::Index q = 0; q < rule.point.size(); ++q) {
-      const double u = rule.point[q];
-      const Vec2 origin = original.spans[k].position(u);
-      const Vec2 tangent = now.spans[k].derivative(u);
-      const Vec2 error = now.spans[k].position(u) - origin - exact.displacement(origin, t);
-      const double size = normal_only ? cross(tangent, error) / tangent.norm() : error.norm();
-      sum += rule.weight[q] * tangent.norm() * size * size;
-    }
-  return std::sqrt(sum);
+std::optional<RadiusError> radius_error(const SplineCurve& original, const SplineCurve& now, const ExactSolution& exact,
+                                        double t) {
+  constexpr double arc = 1e-3;
+  const Vec2 start = original.spans.front().position(0.0);
+  const Eigen::ArrayXd before = sampled_radii(original);
+  if (!((before / start.norm() - 1.0).abs().maxCoeff() < arc)) return std::nullopt;
+  const double radius = start.norm() + exact.displacement(start, t).dot(start.normalized());
+  const Eigen::ArrayXd after = sampled_radii(now);
+  return RadiusError{after.mean(), radius, (after - radius).abs().mean() / radius};
 }
 
 }  // namespace shoreline

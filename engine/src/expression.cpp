@@ -124,8 +124,13 @@ double Expression::operator()(const PlaceTime& at) const {
 
 const std::string& Expression::formula() const { return parser_->formula; }
 
+bool Expression::uses_place() const {
+  const auto& used = parser_->parser.GetUsedVar();
+  return std::ranges::any_of(used, [](const auto& variable) { return variable.first != "t"; });
+}
+
 double Quantity::operator()(const PlaceTime& at) const {
-  if (const double* number = std::get_if<double>(&value_)) return *number * at.t;
+  if (const double* number = std::get_if<double>(&value_)) return *number * at.factor;
   return std::get<Expression>(value_)(at);
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "shoreline/bases/error.hpp"
+
 namespace shoreline {
 namespace {
 
@@ -26,10 +28,9 @@ QuadrilateralGrid sub_cells(const Box& body, const QuadrilateralGrid& grid, cons
   Vec2 lower;
   std::array<Index, 2> count{};
   for (int axis = 0; axis < 2; ++axis) {
-    const Index most = (axis == 0 ? grid.columns() : grid.rows());
     const double h = grid.spacing()[axis];
-    const double first = std::max(std::floor((body.lower[axis] - all.lower[axis]) / h - on_lattice), 0.0);
-    const double last = std::min(std::ceil((body.upper[axis] - all.lower[axis]) / h + on_lattice), double(most));
+    const double first = std::floor((body.lower[axis] - all.lower[axis]) / h - on_lattice);
+    const double last = std::ceil((body.upper[axis] - all.lower[axis]) / h + on_lattice);
     lower[axis] = grid.line(axis, static_cast<Index>(first));
     count[static_cast<std::size_t>(axis)] = static_cast<Index>(last - first) * per_cell[static_cast<std::size_t>(axis)];
   }
@@ -57,10 +58,36 @@ MaterialPoints place_points(const CellMoments& covered, Place&& place) {
 
 using Placed = std::optional<std::pair<Vec2, double>>;
 
+void share_equally(double area, MaterialPoints& points) {
+  points.volume.setConstant(area / static_cast<double>(points.size()));
+}
+
+/// The spacing of a vertex lattice on a body of a given width and height.
+Vec2 vertex_spacing(const Vec2& extent, const Vec2& cell_size, const VertexFill& fill) {
+  if (!fill.across) return cell_size.cwiseQuotient(Vec2(fill.count[0], fill.count[1]));
+  if (std::min(fill.count[0], fill.count[1]) < 2)
+    throw InvalidArgument(fmt::format("fill \"vertex\" needs at least 2 points across the body, got {} x {}",
+                                      fill.count[0], fill.count[1]));
+  return extent.cwiseQuotient(Vec2(fill.count[0] - 1, fill.count[1] - 1));
+}
+
+/// The sub-cells centred at the nodes of a vertex lattice.
+QuadrilateralGrid vertex_lattice(const Box& body, const Vec2& cell_size, const VertexFill& fill) {
+  const Vec2 spacing = vertex_spacing(body.upper - body.lower, cell_size, fill);
+  const Vec2 steps = (body.upper - body.lower).cwiseQuotient(spacing);
+  const Vec2 whole = steps.array().round();
+  if ((steps - whole).cwiseAbs().maxCoeff() > on_lattice * steps.maxCoeff() || whole.minCoeff() < 1.0)
+    throw InvalidArgument(fmt::format(
+        "the body is {:.6g} x {:.6g} sub-cells of {:.6g} m x {:.6g} m; fill \"vertex\" needs whole numbers (change "
+        "per_cell or the outline, or use fill \"lattice\")",
+        steps.x(), steps.y(), spacing.x(), spacing.y()));
+  return {body.lower - 0.5 * spacing, spacing, {static_cast<Index>(whole.x()) + 1, static_cast<Index>(whole.y()) + 1}};
+}
+
 }  // namespace
 
 MaterialPoints fill_lattice(std::span<const SplineCurve> curves, const QuadrilateralGrid& grid,
-                            const Case::LatticeFill& fill) {
+                            const LatticeFill& fill) {
   const QuadrilateralGrid lattice = sub_cells(bounds(curves), grid, fill.per_cell);
   const CellMoments covered = cell_moments(curves, lattice, 1);
   if (fill.volumes == VolumeRule::clipped)
@@ -69,24 +96,17 @@ MaterialPoints fill_lattice(std::span<const SplineCurve> curves, const Quadrilat
       return std::pair(Vec2(centre(lattice, cell) + moment.segment<2>(1) / moment[0]), moment[0]);
     });
   const Region region({curves.begin(), curves.end()});
-  return place_points(covered, [&](Eigen::Index, Index cell) -> Placed {
+  MaterialPoints points = place_points(covered, [&](Eigen::Index, Index cell) -> Placed {
     if (!region.contains(centre(lattice, cell))) return std::nullopt;
     return std::pair(centre(lattice, cell), lattice.spacing().prod());
   });
+  if (fill.volumes == VolumeRule::equal) share_equally(region.area(), points);
+  return points;
 }
 
-MaterialPoints fill_vertex(std::span<const SplineCurve> curves, const Vec2& cell_size, const Case::VertexFill& fill) {
-  const Box body = bounds(curves);
-  const Vec2 spacing = cell_size.cwiseQuotient(Vec2(fill.per_cell[0], fill.per_cell[1]));
-  const Vec2 across = (body.upper - body.lower).cwiseQuotient(spacing);
-  const Vec2 whole = across.array().round();
-  if ((across - whole).cwiseAbs().maxCoeff() > on_lattice * across.maxCoeff() || whole.minCoeff() < 1.0)
-    throw InvalidArgument(fmt::format(
-        "the body is {:.6g} x {:.6g} sub-cells of {:.6g} m x {:.6g} m; fill \"vertex\" needs whole numbers (change "
-        "per_cell or the outline, or use fill \"lattice\")",
-        across.x(), across.y(), spacing.x(), spacing.y()));
-  const QuadrilateralGrid lattice(body.lower - 0.5 * spacing, spacing,
-                                  {static_cast<Index>(whole.x()) + 1, static_cast<Index>(whole.y()) + 1});
+MaterialPoints fill_vertex(std::span<const SplineCurve> curves, const Vec2& cell_size, const VertexFill& fill) {
+  const QuadrilateralGrid lattice = vertex_lattice(bounds(curves), cell_size, fill);
+  const Vec2& spacing = lattice.spacing();
   const CellMoments covered = cell_moments(curves, lattice, 0);
   const Region region({curves.begin(), curves.end()});
   double area = 0.0;
@@ -94,13 +114,14 @@ MaterialPoints fill_vertex(std::span<const SplineCurve> curves, const Vec2& cell
     const Vec2 x = centre(lattice, cell);
     if (!region.contains(x) && !region.near_outline(x, on_lattice * spacing.maxCoeff())) return std::nullopt;
     area += covered.moment(0, k);
-    return std::pair(x, fill.adjusted ? covered.moment(0, k) : spacing.prod());
+    return std::pair(x, fill.volumes == VolumeRule::clipped ? covered.moment(0, k) : spacing.prod());
   });
   if (std::abs(area - region.area()) > on_lattice * region.area())
     throw InvalidArgument(fmt::format(
         "points of a lattice with spacing {:.6g} m x {:.6g} m hold {:.6g} m² of the body's {:.6g} m²; fill \"vertex\" "
         "needs an outline along the lattice (use fill \"lattice\")",
         spacing.x(), spacing.y(), area, region.area()));
+  if (fill.volumes == VolumeRule::equal) share_equally(region.area(), points);
   return points;
 }
 

@@ -37,13 +37,14 @@ std::pair<int, int> held_components(const BoundaryPiece& piece, const Essential&
 }  // namespace
 
 std::vector<Constraint> grid_constraints(const Basis& basis, const std::vector<BoundaryPiece>& boundary,
-                                         const std::vector<Edge>& edges) {
+                                         const std::vector<Edge>& edges, const Eigen::Matrix2Xd& prescribed) {
   std::vector<Constraint> constraints;
   std::set<std::pair<Index, int>> taken;
   for (std::size_t k = 0; k < boundary.size(); ++k) {
     const auto* condition = std::get_if<Essential>(&boundary[k].condition);
     if (condition == nullptr || condition->method != EssentialMethod::grid) continue;
     const Edge& edge = edges[k];
+    const bool moves = condition->value && prescribed.cols() > 0;
     for (std::size_t s = 0; s < edge.segments.size(); ++s) {
       const auto n = static_cast<std::size_t>(edge.points_per_segment);
       const std::span points(&edge.points[s * n], n);
@@ -59,7 +60,8 @@ std::vector<Constraint> grid_constraints(const Basis& basis, const std::vector<B
         for (Eigen::Index a = 0; a < support.value.size(); ++a)
           for (int component = low; component <= high; ++component)
             if (std::abs(support.value[a]) > 1e-6 && taken.emplace(support.function[a], component).second)
-              constraints.push_back({support.function[a], component, static_cast<int>(k)});
+              constraints.push_back({support.function[a], component, static_cast<int>(k),
+                                     moves ? prescribed(component, support.function[a]) : 0.0});
       }
     }
   }

@@ -19,6 +19,8 @@ namespace shoreline {
 namespace {
 
 constexpr double smallest_usable_pivot = 1e-15;
+constexpr double smallest_usable_lu =
+    1e-12;  ///< of its pivots, over the largest: below, a sign may be that of rounding
 
 /// y = A x from the lower half of A.
 Eigen::VectorXd multiply(const SparseMatrix& a, const Eigen::VectorXd& x) {
@@ -168,7 +170,7 @@ struct LinearSolver::Factors {
                                           symbolic, &lu, nullptr, info.data());
     umfpack_di_free_symbolic(&symbolic);
     if (status == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
-    if (status != UMFPACK_OK || info[UMFPACK_RCOND] < smallest_usable_pivot)
+    if (status != UMFPACK_OK || info[UMFPACK_RCOND] < smallest_usable_lu)
       throw SingularMatrix(*negative_pivot, info[UMFPACK_RCOND]);
   }
 
@@ -206,17 +208,20 @@ void LinearSolver::analyse(const SparseMatrix& matrix) {
   if (f.cholesky == nullptr) throw std::bad_alloc();
 }
 
-void LinearSolver::factorize(const SparseMatrix& matrix) {
+void LinearSolver::factorize(const SparseMatrix& matrix, double shift) {
   Factors& f = *factors_;
   f.release_lu();
   f.negative_pivot.reset();
   f.smallest = 0.0;
   f.scale_by_diagonal(matrix);
   cholmod_sparse a = Factors::view(f.scaled);
-  cholmod_factorize(&a, f.cholesky, &f.common);
+  std::array<double, 2> beta{shift, 0.0};
+  cholmod_factorize_p(&a, beta.data(), nullptr, 0, f.cholesky, &f.common);
   if (f.common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
   if (f.common.status == CHOLMOD_NOT_POSDEF) {
-    f.negative_pivot = static_cast<const int*>(f.cholesky->Perm)[f.cholesky->minor];
+    const Index equation = static_cast<const int*>(f.cholesky->Perm)[f.cholesky->minor];
+    if (shift > 0.0) throw SingularMatrix(equation, 0.0);
+    f.negative_pivot = equation;
     return f.factorize_unsymmetric();
   }
   const auto [pivot, equation] = f.find_smallest_pivot();
@@ -225,11 +230,14 @@ void LinearSolver::factorize(const SparseMatrix& matrix) {
 }
 
 Eigen::VectorXd LinearSolver::solve(const Eigen::VectorXd& right_hand_side) const {
+  return refined(right_hand_side, refined(right_hand_side, Eigen::VectorXd::Zero(right_hand_side.size())));
+}
+
+Eigen::VectorXd LinearSolver::refined(const Eigen::VectorXd& right_hand_side, const Eigen::VectorXd& x) const {
   const Factors& f = *factors_;
-  const Eigen::VectorXd b = f.scale.cwiseProduct(right_hand_side);
-  Eigen::VectorXd x = f.apply_inverse(b);
-  x += f.apply_inverse(b - multiply(f.scaled, x));
-  return f.scale.cwiseProduct(x);
+  const Eigen::VectorXd scaled = x.cwiseQuotient(f.scale);
+  const Eigen::VectorXd rest = f.scale.cwiseProduct(right_hand_side) - multiply(f.scaled, scaled);
+  return x + f.scale.cwiseProduct(f.apply_inverse(rest));
 }
 
 double LinearSolver::smallest_pivot() const { return factors_->smallest; }

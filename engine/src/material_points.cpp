@@ -94,6 +94,18 @@ MaterialPoints points_at(Eigen::Matrix2Xd position, Eigen::VectorXd volume) {
           .on_outline = {}};
 }
 
+void check_inside(const Basis& basis, const MaterialPoints& points) {
+  Box box{points.position.col(0), points.position.col(0)};
+  Vec2 sum = Vec2::Zero();  // is finite if all are; a minimum need not notice
+  for (Index p = 0; p < points.size(); ++p) {
+    const Vec2 x = points.position.col(p);
+    box.lower = box.lower.cwiseMin(x);
+    box.upper = box.upper.cwiseMax(x);
+    sum += x;
+  }
+  if (!sum.allFinite() || !basis.grid().covers(box)) require_inside(cells_of(basis, points), points);
+}
+
 PointSupports locate_points(const Basis& basis, const MaterialPoints& points, PointSupports reuse) {
   const std::vector<Index> cell = cells_of(basis, points);
   require_inside(cell, points);

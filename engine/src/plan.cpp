@@ -30,6 +30,7 @@ std::string built(const Scene& scene) {
   for (const BoundaryPiece& b : scene.boundary)
     if (const auto* c = std::get_if<Essential>(&b.condition); c != nullptr && c->method == EssentialMethod::grid)
       text += "  grid:" + b.piece.name + "\n";
+  for (const Probe& probe : scene.probes) text += "  probe:" + probe.name + "\n";
   return text;
 }
 
@@ -41,6 +42,7 @@ std::string left_out(const Case& problem) {
   unless(problem.body_force || problem.gravity, "body force", "no key body_force or gravity");
   unless(problem.ghost > 0.0, "ghost penalty", "ghost is 0");
   unless(problem.exact.has_value(), "errors", "no key exact");
+  unless(!problem.probes.empty(), "probes", "no key probes");
   unless(problem.condition_estimate, "condition estimate", "diagnostics.condition_estimate is false");
   unless(problem.output.pictures, "pictures", "output.pictures is false");
   return text.empty() ? "  nothing\n" : text;

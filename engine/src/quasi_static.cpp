@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "diagnosis.hpp"
+#include "motion_check.hpp"
+#include "prescribed.hpp"
+#include "respace_pieces.hpp"
 #include "shoreline/engine/failures.hpp"
-#include "shoreline/engine/linear_solver.hpp"
+#include "step_system.hpp"
 #include "threads.hpp"
 
 namespace shoreline {
@@ -12,14 +14,10 @@ namespace {
 
 constexpr int points_per_segment = 4;  ///< Gauss points along the edge: exact to degree 7 on straight pieces
 
-/// Keeps between the steps what outlives one: memory, pattern, analysis.
+/// Keeps between the steps what outlives one.
 struct Workspace {
   PointSupports supports;
-  ElementBlocks blocks;
-  Assembler assembler;
-  SparseMatrix matrix;
-  Eigen::VectorXd force;
-  LinearSolver solver;
+  StepSystem system;
   std::map<std::string, Vec3> grid_reactions;  ///< by piece with method grid
 };
 
@@ -81,7 +79,7 @@ void add_grid_supports(const Scene& scene, const std::vector<Constraint>& constr
                        const Eigen::Matrix2Xd& increment, Workspace& work) {
   if (constraints.empty()) return;
   if (scene.loading == Loading::residual) work.grid_reactions.clear();
-  const Eigen::Matrix2Xd force = work.assembler.reactions(work.blocks, increment);
+  const Eigen::Matrix2Xd force = work.system.assembler.reactions(work.system.blocks, increment);
   for (const Constraint& c : constraints) {
     const auto& name = scene.boundary[static_cast<std::size_t>(c.piece)].piece.name;
     const Vec2 held = force(c.component, c.function) * Vec2::Unit(c.component);
@@ -90,73 +88,21 @@ void add_grid_supports(const Scene& scene, const std::vector<Constraint>& constr
   }
 }
 
-/// Factorises; where the matrix is singular or nearly so, says why in the user's words.
-void factorize(const StepState& state, const std::vector<Constraint>& constraints, Workspace& work) {
-  constexpr double suspicious_pivot = 1e-10;
-  std::string singular;
-  try {
-    work.solver.factorize(work.matrix);
-  } catch (const SingularMatrix& error) {
-    singular = fmt::format(
-        "the stiffness is singular (pivot {:.1e} of the scaled matrix) at {}; likely a nearly empty cell: add a ghost "
-        "penalty (\"ghost\": 0.001), use more points per cell or a coarser grid",
-        error.pivot(), weak_unknown(state, work.assembler.unknown(error.equation())));
-  }
-  if (singular.empty() && work.solver.smallest_pivot() > suspicious_pivot) return;
-  if (const auto free = free_motion(state, work.blocks, constraints))
-    throw ComputationError(*free + "; add a boundary condition \"fixed\" or \"roller\"");
-  if (!singular.empty()) throw ComputationError(singular);
-}
-
-/// Assembles and solves one step; returns Δd.
-Eigen::Matrix2Xd solve_step(const Scene& scene, const StepState& state, const std::vector<Constraint>& constraints,
-                            const QuasiStaticOptions& options, Workspace& work, RunRecord& record) {
-  Clock& clock = record.phases;
-  clock.time("assembly", [&] {
-    work.blocks.clear();
-    for (const auto& effect : scene.contributions)
-      record.effects.time(effect->name(), [&] { effect->add(state, work.blocks); });
-  });
-  const bool same_pattern =
-      clock.time("pattern", [&] { return work.assembler.prepare(work.blocks, constraints, scene.basis->functions()); });
-  record.degrees_of_freedom = work.assembler.equations();
-  clock.time("assembly", [&] { work.assembler.assemble(work.blocks, work.matrix, work.force); });
-  if (work.assembler.equations() == 0) return work.assembler.expand(work.force);  // every function is held
-  if (!same_pattern) {
-    clock.time("analyse", [&] { work.solver.analyse(work.matrix); });
-    ++record.analyses;
-  }
-  clock.time("factorise", [&] { factorize(state, constraints, work); });
-  ++record.factorisations;
-  if (!work.solver.positive_definite())
-    record.warnings.push_back(fmt::format(
-        "load step {}: the stiffness is not positive definite at {}; solved by a pivoted LU factorisation. A smaller "
-        "band or a ghost penalty restores definiteness",
-        record.steps + 1, weak_unknown(state, work.assembler.unknown(work.solver.negative_pivot_equation()))));
-  if (options.condition_estimate)
-    record.condition_estimate = clock.time("condition_estimate", [&] { return work.solver.condition_estimate(); });
-  const Eigen::VectorXd solution = clock.time("solve", [&] { return work.solver.solve(work.force); });
-  if (!solution.allFinite()) throw ComputationError("the solution is not finite; check loads and stiffness");
-  return work.assembler.expand(solution);
-}
-
 void run_step(Scene& scene, int step, const QuasiStaticOptions& options, Workspace& work, RunRecord& record) {
   Clock& clock = record.phases;
   work.supports =
       clock.time("support", [&] { return locate_points(*scene.basis, scene.points, std::move(work.supports)); });
   const PointSupports& supports = work.supports;
   const std::vector<Edge> edges = clock.time("boundary", [&] { return make_edges(scene, supports, record); });
+  const double t = static_cast<double>(step) / scene.load_steps;
+  const double t_before = static_cast<double>(step - 1) / scene.load_steps;
+  const Eigen::Matrix2Xd prescribed =
+      clock.time("boundary", [&] { return prescribed_increment(scene, edges, t, t_before, record.fit_errors); });
   const std::vector<Constraint> constraints =
-      clock.time("boundary", [&] { return grid_constraints(*scene.basis, scene.boundary, edges); });
-  const StepState state{*scene.basis,
-                        scene.points,
-                        supports,
-                        edges,
-                        scene.loading,
-                        static_cast<double>(step) / scene.load_steps,
-                        static_cast<double>(step - 1) / scene.load_steps};
+      clock.time("boundary", [&] { return grid_constraints(*scene.basis, scene.boundary, edges, prescribed); });
+  const StepState state{*scene.basis, scene.points, supports, edges, scene.loading, t, t_before, prescribed};
 
-  const Eigen::Matrix2Xd increment = solve_step(scene, state, constraints, options, work, record);
+  const Eigen::Matrix2Xd increment = solve_step(scene, state, constraints, options, work.system, record);
   record.largest_increment = increment.size() == 0 ? 0.0 : increment.cwiseAbs().maxCoeff();
 
   clock.time("update", [&] {
@@ -180,6 +126,12 @@ void run_load_steps(Scene& scene, const QuasiStaticOptions& options, RunRecord& 
   for (int step = 1; step <= scene.load_steps; ++step) {
     try {
       run_step(scene, step, options, work, record);
+      record.steps = step;
+      record_probes(scene, static_cast<double>(step) / scene.load_steps);
+      record.phases.time("boundary", [&] {
+        check_motion(scene);
+        respace_pieces(scene, step, work.system.warnings, record.warnings);
+      });
     } catch (const OutsideGrid& error) {
       throw ComputationError(fmt::format("load step {}: {}", step, error.what()));
     } catch (const InvalidArgument& error) {
@@ -187,7 +139,6 @@ void run_load_steps(Scene& scene, const QuasiStaticOptions& options, RunRecord& 
     } catch (const ComputationError& error) {
       throw ComputationError(fmt::format("load step {}: {}", step, error.what()));
     }
-    record.steps = step;
     options.after_step(step);
   }
 }

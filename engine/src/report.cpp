@@ -23,8 +23,29 @@ std::string errors_of(const ErrorNorms& errors) {
   text += fmt::format("  relative L2: displacement {}, stress {}\n", number(errors.displacement_l2_relative),
                       number(errors.stress_l2_relative));
   for (const auto& [piece, error] : errors.boundary_l2_displacement)
-    text += fmt::format("  L2 of displacement on {}: {:.3e} m\n", piece, error);
+    text += fmt::format("  L2 of displacement on {}: {:.3e} m^1.5\n", piece, error);
+  for (const auto& [piece, radius] : errors.boundary_radius)
+    text += fmt::format("  radius of {}: {:.7g} m, exact {:.7g} m, mean relative error {:.3e}\n", piece, radius.mean,
+                        radius.exact, radius.mean_relative);
   return text;
+}
+
+std::string fits_of(const Summary& summary) {
+  std::string text = "\nprescribed displacements, error of the fit\n";
+  for (const auto& [piece, error] : summary.displacement_fit)
+    text += fmt::format("  {:<20}L2 {:.3e} m^1.5, mean {:.3e} m\n", piece, error.l2, error.mean);
+  return summary.displacement_fit.empty() ? "" : text;
+}
+
+std::string probes_of(const Summary& summary) {
+  std::string text = fmt::format("\n{:<22}{:>14}{:>14}\n", "probes", "u [m]", "v [m]");
+  for (const Probe& probe : summary.probes) {
+    const Vec2& at = probe.history.front().position;
+    const Vec2& u = probe.history.back().displacement;
+    text += fmt::format("  {:<20}{:>14.6g}{:>14.6g}  {} from ({:.6g}, {:.6g})\n", probe.name, u.x(), u.y(),
+                        probe.piece ? "tracking point" : "material point", at.x(), at.y());
+  }
+  return summary.probes.empty() ? "" : text;
 }
 
 std::string timings_of(const Summary& summary) {
@@ -41,7 +62,7 @@ std::string report(const Summary& summary, const std::filesystem::path& output) 
                                  plural(summary.steps, "load step"), plural(summary.material_points, "material point"),
                                  plural(summary.degrees_of_freedom, "unknown"), plural(summary.threads, "thread"));
   if (summary.errors) text += "\n" + errors_of(*summary.errors);
-  text += "\n" + timings_of(summary);
+  text += fits_of(summary) + probes_of(summary) + "\n" + timings_of(summary);
   if (summary.condition_estimate) text += fmt::format("\ncondition estimate: {:.2e}\n", *summary.condition_estimate);
   if (!summary.warnings.empty()) text += "\n";
   for (const std::string& warning : summary.warnings) text += "warning: " + warning + "\n";

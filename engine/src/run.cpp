@@ -5,6 +5,7 @@
 #include <chrono>
 #include <variant>
 
+#include "shoreline/engine/failures.hpp"
 #include "shoreline/engine/linear_solver.hpp"
 #include "shoreline/engine/pictures.hpp"
 #include "shoreline/engine/progress.hpp"
@@ -27,6 +28,15 @@ Eigen::Matrix2Xd sampled(const SplineCurve& curve) {
   return line;
 }
 
+/// The piece as it is drawn: its spline, or a line through its points where motion has left none.
+Eigen::Matrix2Xd drawn(const Piece& piece, const Eigen::Matrix2Xd& points) {
+  try {
+    return sampled(fit_spline(piece));
+  } catch (const InvalidArgument&) {
+    return points;
+  }
+}
+
 SavedStep saved_step(const Scene& scene, int step) {
   SavedStep saved{.step = step,
                   .t = static_cast<double>(step) / scene.load_steps,
@@ -39,24 +49,20 @@ SavedStep saved_step(const Scene& scene, int step) {
   for (const BoundaryPiece& b : scene.boundary) {
     Eigen::Matrix2Xd points(2, static_cast<Eigen::Index>(b.piece.points.size()));
     for (Eigen::Index k = 0; k < points.cols(); ++k) points.col(k) = b.piece.points[static_cast<std::size_t>(k)];
-    saved.curves.push_back({b.piece.name, std::move(points), sampled(fit_spline(b.piece))});
+    Eigen::Matrix2Xd line = drawn(b.piece, points);
+    saved.curves.push_back({b.piece.name, std::move(points), std::move(line)});
   }
   return saved;
 }
 
-std::vector<SplineCurve> curves_of(const Scene& scene) {
-  std::vector<SplineCurve> curves;
-  for (const BoundaryPiece& b : scene.boundary) curves.push_back(fit_spline(b.piece));
-  return curves;
-}
-
-ErrorNorms errors_of(const Scene& scene, const std::vector<SplineCurve>& original, double t) {
+/// @param radii  whether to measure those of arcs
+ErrorNorms errors_of(const Scene& scene, const RunRecord& record, bool radii, double t) {
   ErrorNorms norms = error_norms(scene.points, *scene.exact, t);
-  const std::vector<SplineCurve> now = curves_of(scene);
-  for (std::size_t k = 0; k < now.size(); ++k)
-    if (const auto* condition = std::get_if<Essential>(&scene.boundary[k].condition))
-      norms.boundary_l2_displacement[scene.boundary[k].piece.name] =
-          boundary_error(original[k], now[k], condition->normal_only, *scene.exact, t);
+  norms.boundary_l2_displacement = record.resultants.displacement_errors;
+  if (!radii) return norms;
+  for (const BoundaryPiece& b : scene.boundary)
+    if (const auto radius = radius_error(*b.original, fit_spline(b.piece), *scene.exact, t))
+      norms.boundary_radius[b.piece.name] = *radius;
   return norms;
 }
 
@@ -71,6 +77,7 @@ void take_over(const RunRecord& record, double total, Summary& summary) {
   for (const Clock::Entry& e : record.phases.entries()) summary.timings.emplace_back(e.name, e.seconds);
   summary.loads = record.resultants.loads;
   summary.reactions = record.resultants.reactions;
+  summary.displacement_fit = record.fit_errors;
   summary.condition_estimate = record.condition_estimate;
   summary.extended_share = record.extended_share;
   summary.counters = {{"factorisations", record.factorisations}, {"analyses", record.analyses}};
@@ -102,13 +109,27 @@ Summary run(const Case& problem, const RunOptions& options) {
   Summary summary = start(problem, scene, threads);
 
   ResultsWriter writer(options.output, problem.title, scene.basis->grid());
-  const auto save = [&](int step) { record.phases.time("output", [&] { writer.write(saved_step(scene, step)); }); };
+  int last_saved = 0;
+  const auto save = [&](int step) {
+    record.phases.time("output", [&] { writer.write(saved_step(scene, step)); });
+    last_saved = step;
+  };
   save(0);
+  writer.append(scene.probes);
   Progress progress(problem.load_steps, options.quiet);
-  const std::vector<SplineCurve> original = curves_of(scene);
   const auto after_step = [&](int step) {
+    record.phases.time("output", [&] { writer.append(scene.probes); });
     if (step % problem.output.every == 0 || step == problem.load_steps) save(step);
     if (step < problem.load_steps) progress.begin(step + 1);
+  };
+  const auto compute = [&] {
+    try {
+      run_load_steps(scene, {.condition_estimate = problem.condition_estimate, .after_step = after_step}, record);
+    } catch (const ComputationError&) {
+      if (record.steps > last_saved) save(record.steps);
+      writer.append(scene.probes);
+      throw;
+    }
   };
   const auto finish = [&](bool completed, const std::string& message) {
     summary.completed = completed;
@@ -116,14 +137,18 @@ Summary run(const Case& problem, const RunOptions& options) {
     if (completed && problem.output.pictures)
       if (const auto warning = record.phases.time("pictures", [&] { return make_pictures(options.output); }))
         record.warnings.push_back(*warning);
+    summary.probes = scene.probes;
     take_over(record, std::chrono::duration<double>(std::chrono::steady_clock::now() - start_time).count(), summary);
     summary.warnings = record.warnings;
     write_summary(summary, options.output);
   };
   try {
     progress.begin(1);
-    run_load_steps(scene, {.condition_estimate = problem.condition_estimate, .after_step = after_step}, record);
-    if (scene.exact) summary.errors = record.phases.time("errors", [&] { return errors_of(scene, original, 1.0); });
+    compute();
+    if (scene.exact) {
+      const bool radii = std::holds_alternative<ThickCylinder>(*problem.exact);
+      summary.errors = record.phases.time("errors", [&] { return errors_of(scene, record, radii, 1.0); });
+    }
   } catch (const std::exception& error) {
     finish(false, error.what());
     throw;

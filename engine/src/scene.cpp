@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "conditions_on_piece.hpp"
 #include "shoreline/bases/bilinear.hpp"
 #include "shoreline/boundary/region.hpp"
 #include "shoreline/engine/effects.hpp"
@@ -15,7 +16,8 @@
 namespace shoreline {
 namespace {
 
-constexpr double on_outline = 1e-9;  ///< of a cell: a point this near to the outline lies on it
+constexpr double on_outline = 1e-9;      ///< of a cell: a point this near to the outline lies on it
+constexpr double beside_outline = 0.01;  ///< of a cell: as far outside a listed point may lie, as a spline is no arc
 
 CaseError piece_error(const Case& problem, int piece, const std::string& message) {
   return {problem.file.string(), fmt::format("/boundaries/{}", piece), message};
@@ -66,7 +68,8 @@ MaterialPoints listed_points(const std::vector<Case::ListedPoint>& listed, const
     const Vec2& x = listed[p].position;
     const char* missed = nullptr;
     if (!grid.locate(x, 0)) missed = "grid";
-    if (body != nullptr && !body->contains(x) && !body->near_outline(x, on_outline * grid.size(0))) missed = "outline";
+    if (body != nullptr && !body->contains(x) && !body->near_outline(x, beside_outline * grid.size(0)))
+      missed = "outline";
     if (missed != nullptr)
       throw InvalidArgument(fmt::format("point {} at ({:.6g}, {:.6g}) lies outside the {}", p, x.x(), x.y(), missed));
     position.col(static_cast<Eigen::Index>(p)) = x;
@@ -84,43 +87,20 @@ MaterialPoints fill(const Case& problem, const std::vector<SplineCurve>& curves,
   try {
     const std::optional<Region> body = curves.empty() ? std::nullopt : std::optional<Region>(std::in_place, curves);
     MaterialPoints points = std::visit(
-        Overloaded{[&](const Case::LatticeFill& f) { return fill_lattice(curves, grid, f); },
-                   [&](const Case::VertexFill& f) { return fill_vertex(curves, grid.spacing(), f); },
+        Overloaded{[&](const LatticeFill& f) { return fill_lattice(curves, grid, f); },
+                   [&](const VertexFill& f) { return fill_vertex(curves, grid.spacing(), f); },
+                   [&](const PolarFill& f) { return fill_polar(curves, f); },
                    [&](const Listed& listed) { return listed_points(listed, grid, body ? &*body : nullptr); }},
         problem.material_points);
     if (points.size() == 0) throw InvalidArgument("no material point lies in the body; use more points per cell");
-    if (!std::holds_alternative<Case::LatticeFill>(problem.material_points) && body)
-      mark_outline(*body, on_outline * grid.size(0), points);
+    const bool unmarked = std::holds_alternative<VertexFill>(problem.material_points) ||
+                          std::holds_alternative<Listed>(problem.material_points);
+    if (unmarked && body) mark_outline(*body, on_outline * grid.size(0), points);
     sort_by_cell(basis, points);
     return points;
   } catch (const InvalidArgument& error) {
     throw CaseError(file, "/material_points", error.what());
   }
-}
-
-/// Evaluates the components of a load on a piece at a boundary point; X, Y follow from the original curve.
-template <std::size_t N>
-auto on_piece(const std::array<Quantity, N>& value, std::shared_ptr<const SplineCurve> original) {
-  return [value, original = std::move(original)](const BoundaryPoint& p, double t) {
-    const PlaceTime at{p.x, original->spans[static_cast<std::size_t>(p.span)].position(p.u), t};
-    Eigen::Matrix<double, static_cast<int>(N), 1> load;
-    for (std::size_t c = 0; c < N; ++c) load[static_cast<Eigen::Index>(c)] = value[c](at);
-    return load;
-  };
-}
-
-Condition to_condition(const Case::Condition& condition, const SplineCurve& curve) {
-  const auto original = std::make_shared<const SplineCurve>(curve);
-  return std::visit(
-      Overloaded{[](const Case::Free&) -> Condition { return Free{}; },
-                 [&](const Case::Traction& c) -> Condition { return Traction{on_piece(c.value, original)}; },
-                 [&](const Case::Pressure& c) -> Condition {
-                   return Pressure{[value = on_piece(std::array{c.value}, original)](const BoundaryPoint& p, double t) {
-                     return value(p, t)[0];
-                   }};
-                 },
-                 [](const Essential& c) -> Condition { return c; }},
-      condition);
 }
 
 void add_boundary_effects(Scene& scene) {
@@ -134,18 +114,27 @@ void add_boundary_effects(Scene& scene) {
                    [&](const Essential& c) {
                      if (c.method != EssentialMethod::grid)
                        effects.push_back(essential_on(piece, name, c, scene.material));
+                     if (scene.exact)
+                       effects.push_back(boundary_error(piece, name, c.normal_only,
+                                                        exact_displacement(scene.boundary[k].original, *scene.exact)));
                    }},
         scene.boundary[k].condition);
   }
 }
 
-/// Body force and weight of a case [N/m³]; plain numbers, and so gravity, ramp with t.
-std::function<Vec2(const PlaceTime&)> force_per_volume(const Case& problem) {
+/// Body force and weight of a case [N/m³]; plain numbers, and so gravity, ramp with the load factor.
+std::function<Vec2(const PlaceTime&)> force_per_volume(const Case& problem, LoadFactor factor) {
   const Vec2 weight = problem.gravity.value_or(Vec2::Zero()) * problem.material.density.value_or(0.0);
-  return [value = problem.body_force, weight](const PlaceTime& at) -> Vec2 {
-    const Vec2 force = weight * at.t;
+  return [value = problem.body_force, weight, ramp = std::move(factor)](PlaceTime at) -> Vec2 {
+    at.factor = ramp(at.t);
+    const Vec2 force = weight * at.factor;
     return value ? Vec2(force + Vec2((*value)[0](at), (*value)[1](at))) : force;
   };
+}
+
+LoadFactor load_factor(const Case& problem) {
+  if (!problem.load) return [](double t) { return t; };
+  return [load = *problem.load](double t) { return load({.t = t}); };
 }
 
 /// Refuses pieces with method grid that do not lie on grid lines, before anything is computed.
@@ -159,21 +148,28 @@ void check_grid_pieces(const Case& problem, const Scene& scene, const Basis& bas
     edges.push_back(std::move(edge));
   }
   try {
-    static_cast<void>(grid_constraints(basis, scene.boundary, edges));
+    static_cast<void>(grid_constraints(basis, scene.boundary, edges, Eigen::Matrix2Xd(2, 0)));
   } catch (const InvalidArgument& error) {
     throw CaseError(problem.file.string(), "/boundaries", error.what());
   }
 }
 
-ExactSolution to_solution(const Case::Exact& exact) {
+ExactSolution by_expressions(const Case::ExactExpressions& exact) {
   return {.displacement = [u = exact.displacement](const Vec2& origin, double t) -> Vec2 {
-            const PlaceTime at{origin, origin, t};
+            const PlaceTime at{.x = origin, .origin = origin, .t = t};
             return {u[0](at), u[1](at)};
           },
           .stress = [s = exact.stress](const Vec2& origin, double t) -> Vec3 {
-            const PlaceTime at{origin, origin, t};
+            const PlaceTime at{.x = origin, .origin = origin, .t = t};
             return {s[0](at), s[1](at), s[2](at)};
           }};
+}
+
+ExactSolution to_solution(const Case& problem, const LoadFactor& factor) {
+  const ElasticConstants material{problem.material.youngs_modulus, problem.material.poissons_ratio, problem.plane};
+  return std::visit(Overloaded{[](const Case::ExactExpressions& exact) { return by_expressions(exact); },
+                               [&](const auto& closed_form) { return exact_solution(closed_form, material, factor); }},
+                    *problem.exact);
 }
 
 }  // namespace
@@ -188,16 +184,23 @@ Scene build_scene(const Case& problem) {
       std::make_shared<LinearElastic>(problem.material.youngs_modulus, problem.material.poissons_ratio, problem.plane);
   scene.loading = problem.loading;
   scene.load_steps = problem.load_steps;
-  for (std::size_t k = 0; k < curves.size(); ++k)
-    scene.boundary.push_back({problem.boundaries[k].piece, to_condition(problem.boundaries[k].condition, curves[k])});
+  scene.respacing = problem.respacing;
+  const LoadFactor factor = load_factor(problem);
+  if (problem.exact) scene.exact = to_solution(problem, factor);
+  for (std::size_t k = 0; k < curves.size(); ++k) {
+    const auto original = std::make_shared<SplineCurve>(curves[k]);
+    const auto& [piece, condition] = problem.boundaries[k];
+    scene.boundary.push_back({piece, to_condition(condition, {original, factor, scene.exact}), original});
+  }
   check_grid_pieces(problem, scene, *basis);
 
   scene.contributions.push_back(stiffness_of(scene.material));
-  if (problem.body_force || problem.gravity) scene.contributions.push_back(body_force(force_per_volume(problem)));
+  if (problem.body_force || problem.gravity)
+    scene.contributions.push_back(body_force(force_per_volume(problem, factor)));
   add_boundary_effects(scene);
   if (problem.ghost > 0.0) scene.contributions.push_back(ghost_penalty(problem.ghost, scene.material));
-  if (problem.exact) scene.exact = to_solution(*problem.exact);
   scene.basis = std::move(basis);
+  scene.probes = place_probes(problem, scene);
   return scene;
 }
 

@@ -80,6 +80,25 @@ TEST_CASE("the polygon of the located cell holds the point, whatever the hint", 
   }
 }
 
+TEST_CASE("a grid covers the boxes that lie in it, and says so of no other", "[bases][grid]") {
+  test::Random random(11);
+  for (int draw = 0; draw < 50; ++draw) {
+    const QuadrilateralGrid grid = random.grid();
+    const Box all = grid.bounds();
+    CHECK(grid.covers(all));
+    const Vec2 a = random.in(all);
+    const Vec2 b = random.in(all);
+    const Box within{a.cwiseMin(b), a.cwiseMax(b)};
+    CHECK(grid.covers(within));
+    for (int axis = 0; axis < 2; ++axis) {
+      const Vec2 out = 1e-9 * Vec2::Unit(axis);
+      CHECK_FALSE(grid.covers({all.lower - out, within.upper}));
+      CHECK_FALSE(grid.covers({within.lower, all.upper + out}));
+    }
+    CHECK_FALSE(grid.covers({within.lower, Vec2(std::nan(""), within.upper.y())}));
+  }
+}
+
 TEST_CASE("every vertex, also on the border, is in some cell; nothing outside is in any", "[bases][grid]") {
   test::Random random(3);
   for (int draw = 0; draw < 20; ++draw) {
@@ -93,11 +112,13 @@ TEST_CASE("every vertex, also on the border, is in some cell; nothing outside is
       }
     const Box box = grid.bounds();
     const Vec2 x = random.in(box);
-    for (const double beyond : {1e-6, 1.0, 1e12}) {
-      CHECK_FALSE(grid.locate({box.upper.x() + beyond, x.y()}, 0));
-      CHECK_FALSE(grid.locate({box.lower.x() - beyond, x.y()}, 0));
-      CHECK_FALSE(grid.locate({x.x(), box.upper.y() + beyond}, 0));
-      CHECK_FALSE(grid.locate({x.x(), box.lower.y() - beyond}, 0));
+    for (const double cells : {0.99 * border_slack, 1.01 * border_slack, 1.0, 1e12}) {
+      const Vec2 beyond = cells * quadrilaterals.spacing();
+      const bool held = cells < border_slack;
+      CHECK(grid.locate({box.upper.x() + beyond.x(), x.y()}, 0).has_value() == held);
+      CHECK(grid.locate({box.lower.x() - beyond.x(), x.y()}, 0).has_value() == held);
+      CHECK(grid.locate({x.x(), box.upper.y() + beyond.y()}, 0).has_value() == held);
+      CHECK(grid.locate({x.x(), box.lower.y() - beyond.y()}, 0).has_value() == held);
     }
     CHECK_FALSE(grid.locate({std::nan(""), x.y()}, 0));
     CHECK_FALSE(grid.locate({x.x(), INFINITY}, 0));

@@ -39,6 +39,16 @@ class RandomPieces {
     return piece;
   }
 
+  /// A star, an open part of one, or a wild piece.
+  [[nodiscard]] Piece any() {
+    const int kind = whole(0, 2);
+    if (kind == 0) return wild();
+    Piece piece = star();
+    piece.closed = kind == 1;
+    if (whole(0, 1) == 0) piece.corners = {whole(1, static_cast<int>(piece.points.size()) - 2)};
+    return piece;
+  }
+
   /// A grid of random origin, spacing and extent that holds the curve.
   [[nodiscard]] QuadrilateralGrid grid_around(const SplineCurve& curve) {
     Box box = curve.spans.front().bounds();

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
+#include "../plate.hpp"
 #include "random_pieces.hpp"
 #include "shoreline/bases/error.hpp"
 #include "shoreline/bases/quadrature.hpp"
@@ -13,22 +14,6 @@ using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
 
 namespace {
-
-/// The outer boundary of the plate with a hole, Bing et al. 2019 §4.4, run with the body to its left.
-Piece plate_outer() {
-  return {.name = "outer",
-          .points = {{1.5, 0.0},
-                     {1.78, 0.21},
-                     {2.0, 0.75},
-                     {1.75, 1.3},
-                     {1.5, 1.35},
-                     {1.0, 1.15},
-                     {0.73, 1.31},
-                     {0.6, 1.8},
-                     {0.35, 1.95},
-                     {0.1, 1.75},
-                     {0.0, 1.5}}};
-}
 
 double length_of(const SplineCurve& curve) {
   double sum = 0.0;
@@ -81,7 +66,7 @@ TEST_CASE("a spline passes through its points and is C1 in its knots' parameter"
 }
 
 TEST_CASE("the derivative of a span is that of its position", "[boundary][spline]") {
-  const SplineCurve curve = fit_spline(plate_outer());
+  const SplineCurve curve = fit_spline(test::plate_outer());
   constexpr double step = 1e-5;
   for (const CubicSpan& span : curve.spans)
     for (const double u : {0.1, 0.5, 0.8}) {
@@ -91,7 +76,8 @@ TEST_CASE("the derivative of a span is that of its position", "[boundary][spline
 }
 
 TEST_CASE("the outer boundary of the plate has its length and area", "[boundary][spline]") {
-  const SplineCurve curve = fit_spline(plate_outer());  // values: an independent implementation of the same formulas
+  const SplineCurve curve =
+      fit_spline(test::plate_outer());  // values: an independent implementation of the same formulas
   CHECK_THAT(length_of(curve), WithinAbs(4.1412792974, 1e-9));
   CHECK_THAT(sector_area(curve), WithinAbs(2.7762288926, 1e-9));
 }
@@ -119,6 +105,16 @@ TEST_CASE("a straight piece is straight, at unit speed, whatever its spacing", "
       CHECK(std::abs(cross(direction, span.position(u))) <= 1e-15);
       CHECK(direction.dot(span.derivative(u)) > 0.0);
     }
+}
+
+TEST_CASE("where the second chord is thrice the first, so that (B.1) has no direction, the end takes its chord's",
+          "[boundary][spline]") {
+  const Vec2 along(0.0923, 0.0387);
+  for (const double next : {3.0 - 1e-15, 3.0, 3.0 + 1e-15, 5.0}) {
+    const SplineCurve curve = fit_spline(
+        {.name = "shore", .points = {{0.1, 0.2}, Vec2(0.1, 0.2) + along, Vec2(0.1, 0.2) + (1.0 + next) * along}});
+    CHECK_THAT(curve.spans.front().derivative(0.0).normalized().dot(along.normalized()), WithinAbs(1.0, 1e-12));
+  }
 }
 
 TEST_CASE("at a corner the tangents are those of the chords, and beside it the curve does not look across",
@@ -149,7 +145,7 @@ TEST_CASE("a closed piece with corners everywhere is the polygon, and with one c
 }
 
 TEST_CASE("end tangents that are given are kept", "[boundary][spline]") {
-  Piece piece = plate_outer();
+  Piece piece = test::plate_outer();
   piece.start_tangent = Vec2(0, 1);
   piece.end_tangent = Vec2(-1, -1);
   const SplineCurve curve = fit_spline(piece);

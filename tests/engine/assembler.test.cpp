@@ -156,3 +156,24 @@ TEST_CASE("a solution expands to its functions and zero elsewhere; reactions clo
       CHECK_THAT(reactions(c.component, c.function), WithinAbs(residual[2 * c.function + c.component], 1e-13));
   }
 }
+
+TEST_CASE("prescribed values move to the right-hand side and come back in the increment", "[engine][assembler]") {
+  test::Random random(6);
+  for (int draw = 0; draw < 20; ++draw) {
+    const ElementBlocks blocks = test::random_blocks(random, functions, 6);
+    std::vector<Constraint> constraints = random_constraints(random);
+    for (Constraint& c : constraints) c.value = random.uniform(-1.0, 1.0);
+    const std::vector<Index> unknowns = expected_unknowns(blocks, constraints);
+    Assembler assembler;
+    assembler.prepare(blocks, constraints, functions);
+    SparseMatrix matrix;
+    Eigen::VectorXd force;
+    assembler.assemble(blocks, matrix, force);
+    Eigen::VectorXd prescribed = Eigen::VectorXd::Zero(2 * functions);
+    for (const Constraint& c : constraints) prescribed[2 * c.function + c.component] = c.value;
+    const test::DenseSystem all = test::dense(blocks, functions);
+    const Eigen::VectorXd expected = all.force - all.matrix * prescribed;
+    CHECK_THAT((force - expected(unknowns)).norm(), WithinAbs(0.0, 1e-13));
+    CHECK(assembler.expand(Eigen::VectorXd::Zero(assembler.equations())).reshaped() == prescribed);
+  }
+}

@@ -11,6 +11,8 @@ TEST_CASE("a case asks for nothing by itself", "[engine][case]") {
   CHECK_FALSE(problem.body_force);
   CHECK_FALSE(problem.gravity);
   CHECK_FALSE(problem.exact);
+  CHECK(problem.probes.empty());
+  CHECK(problem.respacing == 0.0);
   CHECK_FALSE(problem.condition_estimate);
   CHECK_FALSE(problem.material.density);
 }
@@ -23,5 +25,5 @@ TEST_CASE("a case is plane strain in one step of residual loading unless it says
   CHECK(problem.threads == 0);
   CHECK(problem.output.every == 1);
   CHECK(std::holds_alternative<Case::Free>(Case::Condition{}));
-  CHECK(Case::VertexFill{}.adjusted);
+  CHECK(VertexFill{}.volumes == VolumeRule::clipped);
 }

@@ -54,7 +54,7 @@ TEST_CASE("a case says what it does not leave to defaults", "[engine][case_reade
   CHECK(problem.boundaries[1].piece.name == "right");
   CHECK(problem.boundaries[1].piece.points.size() == 5);
   CHECK(std::holds_alternative<Case::Free>(problem.boundaries[1].condition));
-  CHECK(std::get<Case::LatticeFill>(problem.material_points).per_cell == std::array{2, 3});
+  CHECK(std::get<LatticeFill>(problem.material_points).per_cell == std::array{2, 3});
 }
 
 TEST_CASE("what a case leaves out has the default of the table", "[engine][case_reader]") {
@@ -70,7 +70,7 @@ TEST_CASE("what a case leaves out has the default of the table", "[engine][case_
   CHECK_FALSE(problem.body_force.has_value());
   CHECK_FALSE(problem.gravity.has_value());
   CHECK_FALSE(problem.exact.has_value());
-  CHECK(std::get<Case::LatticeFill>(problem.material_points).volumes == VolumeRule::clipped);
+  CHECK(std::get<LatticeFill>(problem.material_points).volumes == VolumeRule::clipped);
 }
 
 TEST_CASE("the band and the ghost penalty follow the method unless the case says otherwise", "[engine][case_reader]") {
@@ -91,15 +91,17 @@ TEST_CASE("plain numbers ramp in loads and do not in an exact solution", "[engin
   const Case problem = with(
       {R"(exact={"type": "expressions", "displacement": [3, "x"], "stress": [0, 1e-5, -2]})", "body_force=[1, \"p\"]"});
   const auto& traction = std::get<Case::Traction>(problem.boundaries[2].condition);
-  const PlaceTime half{.x = {2.0, 0.0}, .t = 0.5};
-  CHECK(traction.value[0](half) == 2.5);
-  CHECK(traction.value[1](half) == 14.0);
+  const auto& value = std::get<std::array<Quantity, 2>>(traction.value);
+  const PlaceTime half{.x = {2.0, 0.0}, .t = 0.25, .factor = 0.5};
+  CHECK(value[0](half) == 2.5);
+  CHECK(value[1](half) == 14.0);
   CHECK((*problem.body_force)[0](half) == 0.5);
   CHECK((*problem.body_force)[1](half) == 7.0);
-  CHECK(problem.exact->displacement[0](half) == 3.0);
-  CHECK(problem.exact->displacement[1](half) == 2.0);
-  CHECK(problem.exact->stress[1](half) == 1e-5);
-  CHECK(problem.exact->stress[2](half) == -2.0);
+  const auto& exact = std::get<Case::ExactExpressions>(problem.exact.value());
+  CHECK(exact.displacement[0](half) == 3.0);
+  CHECK(exact.displacement[1](half) == 2.0);
+  CHECK(exact.stress[1](half) == 1e-5);
+  CHECK(exact.stress[2](half) == -2.0);
 }
 
 TEST_CASE("a piece that ends where it starts is a closed loop of one point less", "[engine][case_reader]") {
@@ -124,16 +126,103 @@ TEST_CASE("arcs and circles place their points on the circle", "[engine][case_re
 }
 
 TEST_CASE("fills and listed points", "[engine][case_reader]") {
-  const Case vertex = with({R"(material_points={"fill": "vertex", "per_cell": 4})"});
-  CHECK(std::get<Case::VertexFill>(vertex.material_points).per_cell == std::array{4, 4});
-  CHECK(std::get<Case::VertexFill>(vertex.material_points).adjusted);
-  const Case whole = with({R"(material_points={"fill": "vertex", "per_cell": 4, "volumes": "lattice"})"});
-  CHECK_FALSE(std::get<Case::VertexFill>(whole.material_points).adjusted);
-  const Case listed = with({R"(material_points={"points": [[0.1, 0.2], [0.3, 0.4]], "volumes": [2, 3]})"});
-  const auto& points = std::get<std::vector<Case::ListedPoint>>(listed.material_points);
-  REQUIRE(points.size() == 2);
-  CHECK(points[1].position == Vec2(0.3, 0.4));
-  CHECK(points[1].volume == 3.0);
+  const auto points = [](const std::string& json) { return with({"material_points=" + json}).material_points; };
+  const auto vertex = std::get<VertexFill>(points(R"({"fill": "vertex", "per_cell": 4})"));
+  CHECK(vertex.count == std::array{4, 4});
+  CHECK_FALSE(vertex.across);
+  CHECK(vertex.volumes == VolumeRule::clipped);
+  const auto across = std::get<VertexFill>(points(R"({"fill": "vertex", "across": [28, 8], "volumes": "lattice"})"));
+  CHECK(across.count == std::array{28, 8});
+  CHECK(across.across);
+  CHECK(across.volumes == VolumeRule::lattice);
+  const auto lattice = std::get<LatticeFill>(points(R"({"per_cell": 2, "volumes": "equal"})"));
+  CHECK(lattice.volumes == VolumeRule::equal);
+  const auto polar = std::get<PolarFill>(points(R"({"fill": "polar", "across": [9, 17], "volumes": "equal"})"));
+  CHECK(polar.across == std::array{9, 17});
+  CHECK(polar.centre == Vec2::Zero());
+  CHECK(polar.volumes == VolumeRule::equal);
+  CHECK(std::get<PolarFill>(points(R"({"fill": "polar", "across": [2, 2], "centre": [1, -2]})")).centre == Vec2(1, -2));
+  const auto listed =
+      std::get<std::vector<Case::ListedPoint>>(points(R"({"points": [[0.1, 0.2], [0.3, 0.4]], "volumes": [2, 3]})"));
+  REQUIRE(listed.size() == 2);
+  CHECK(listed[1].position == Vec2(0.3, 0.4));
+  CHECK(listed[1].volume == 3.0);
+}
+
+TEST_CASE("a displacement is prescribed as a vector, along the normal, or by the exact solution",
+          "[engine][case_reader]") {
+  const auto condition = [](const std::string& more) {
+    const std::string exact = R"(exact={"type": "plate_with_hole", "radius": 1, "far_field_stress": 1})";
+    const Case problem = with({"boundaries.left.condition={\"type\": \"displacement\", " + more + "}", exact});
+    return std::get<Case::Displacement>(problem.boundaries[3].condition);
+  };
+  const PlaceTime late{.x = {2.0, 0.0}, .t = 1.0, .factor = 0.5};
+  const Case::Displacement both = condition(R"("value": [4, "p*x"])");
+  const auto& value = std::get<std::array<Quantity, 2>>(both.value);
+  CHECK(value[0](late) == 2.0);
+  CHECK(value[1](late) == 14.0);
+  CHECK_FALSE(both.support.normal_only);
+  CHECK(both.support.band == 1e-3);
+
+  const Case::Displacement normal = condition(R"("normal": -4, "method": "nitsche")");
+  CHECK(std::get<Quantity>(normal.value)(late) == -2.0);
+  CHECK(normal.support.normal_only);
+  CHECK(normal.support.method == EssentialMethod::nitsche);
+  CHECK(normal.support.band == 0.01);
+
+  const Case::Displacement exact = condition(R"("value": "exact", "band": 1e-6)");
+  CHECK(std::holds_alternative<Case::FromExact>(exact.value));
+  CHECK_FALSE(exact.support.normal_only);
+  CHECK(exact.support.band == 1e-6);
+  const Case::Displacement across = condition(R"("normal": "exact")");
+  CHECK(std::holds_alternative<Case::FromExact>(across.value));
+  CHECK(across.support.normal_only);
+}
+
+TEST_CASE("a displacement by Nitsche's method comes with the ghost penalty", "[engine][case_reader]") {
+  const std::string moved = R"(boundaries.left.condition={"type": "displacement", "value": [0, 0]})";
+  CHECK(with({moved}).ghost == 0.0);
+  CHECK(with({moved, "boundaries.left.condition.method=nitsche"}).ghost == 1e-3);
+}
+
+TEST_CASE("a condition may be exact only where the case says what is exact", "[engine][case_reader]") {
+  const std::string exact = R"(exact={"type": "thick_cylinder", "inner_radius": 1, "outer_radius": 2, "pressure": 3})";
+  const std::string traction = "boundaries.top.condition.value=exact";
+  const Case problem = with({traction, exact});
+  CHECK(std::holds_alternative<Case::FromExact>(std::get<Case::Traction>(problem.boundaries[2].condition).value));
+  CHECK_THROWS_WITH(with({traction}), Contains("/boundaries/2/condition/value: ") && Contains("the key \"exact\""));
+}
+
+TEST_CASE("closed forms of exact solutions", "[engine][case_reader]") {
+  const Case ring = with({R"(exact={"type": "thick_cylinder", "inner_radius": 1, "outer_radius": 5, "pressure": -3})"});
+  const auto& cylinder = std::get<ThickCylinder>(ring.exact.value());
+  CHECK(cylinder.inner_radius == 1.0);
+  CHECK(cylinder.outer_radius == 5.0);
+  CHECK(cylinder.pressure == -3.0);
+  const Case holed = with({R"(exact={"type": "plate_with_hole", "radius": 0.5, "far_field_stress": 1e6})"});
+  const auto& plate = std::get<PlateWithHole>(holed.exact.value());
+  CHECK(plate.radius == 0.5);
+  CHECK(plate.far_field_stress == 1e6);
+}
+
+TEST_CASE("the load factor is a formula of t alone", "[engine][case_reader]") {
+  CHECK_FALSE(with({}).load.has_value());
+  CHECK((*with({"analysis.load=p*sqrt(t)"}).load)({.t = 0.25}) == 3.5);
+  CHECK((*with({"analysis.load=1"}).load)({.t = 0.25}) == 1.0);
+  for (const char* place : {"x", "y", "X", "Y"})
+    CHECK(pointer_of(std::string("analysis.load=t*") + place) == "/analysis/load");
+}
+
+TEST_CASE("probes and re-spacing are there only where asked for", "[engine][case_reader]") {
+  CHECK(with({}).probes.empty());
+  CHECK(with({}).respacing == 0.0);
+  const Case problem = with({R"(probes=[{"name": "tip", "position": [1, 2]}, {"name": "root", "position": [3, 4]}])",
+                             "probes.tip.position.0=-1", "tracking.respace=4"});
+  REQUIRE(problem.probes.size() == 2);
+  CHECK(problem.probes[0].name == "tip");
+  CHECK(problem.probes[0].position == Vec2(-1, 2));
+  CHECK(problem.probes[1].name == "root");
+  CHECK(problem.respacing == 4.0);
 }
 
 TEST_CASE("an override sets what its path leads to", "[engine][case_reader]") {
@@ -177,12 +266,16 @@ TEST_CASE("a grid of more cells than a machine holds is refused with their numbe
   CHECK_THROWS_WITH(with({"grid.cell_size=[1e-5, 1e-5]"}), Contains("/grid/cell_size") && Contains("4e+10 cells"));
   CHECK_THROWS_WITH(with({"grid.cell_size=[1e-12, 1e3]"}), Contains("/grid/cell_size") && Contains("2e+12 x 1"));
   CHECK_THROWS_WITH(with({"grid.cell_size=0.001", "material_points.per_cell=1000"}),
-                    Contains("/material_points/per_cell"));
+                    Contains("/material_points/per_cell") && Contains("4e+12 points"));
+  CHECK_THROWS_WITH(with({R"(material_points={"fill": "polar", "across": [100000, 100000]})"}),
+                    Contains("/material_points/across") && Contains("1e+10 points"));
 }
 
 TEST_CASE("schema and reference page name every key that a case may have", "[engine][case_reader]") {
-  const std::string key = GENERATE("title", "plane", "youngs_modulus", "cell_size", "corners", "band", "hole",
-                                   "per_cell", "gravity", "ghost", "displacement", "condition_estimate", "pictures");
+  const std::string key =
+      GENERATE("title", "plane", "youngs_modulus", "cell_size", "corners", "band", "hole", "per_cell", "gravity",
+               "ghost", "displacement", "condition_estimate", "pictures", "load", "normal", "across", "centre",
+               "far_field_stress", "inner_radius", "probes", "position", "respace");
   CHECK_THAT(case_schema(), Contains("\"" + key + "\""));
   CHECK_THAT(case_format(), Contains("| `" + key + "` |"));
 }

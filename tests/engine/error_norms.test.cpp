@@ -68,24 +68,39 @@ TEST_CASE("exact values are those at the original positions", "[engine][error_no
   CHECK(norms.stress[1].mean_absolute == 2.0);
 }
 
-TEST_CASE("a curve that is off by a uniform offset errs by offset times root of length", "[engine][error_norms]") {
-  const Vec2 offset(3e-3, -4e-3);
-  const ExactSolution rest = uniform(Vec2::Zero(), Vec3::Zero());
-  const Piece straight = line({0.0, 0.0}, {3.0, 0.0}, 4);
-  Piece moved = straight;
-  for (Vec2& x : moved.points) x += offset;
-  const SplineCurve before = fit_spline(straight);
-  const SplineCurve now = fit_spline(moved);
-  CHECK_THAT(boundary_error(before, now, false, rest, 1.0), WithinRel(5e-3 * std::sqrt(3.0), 1e-12));
-  CHECK_THAT(boundary_error(before, now, true, rest, 1.0), WithinRel(4e-3 * std::sqrt(3.0), 1e-12));
-  CHECK_THAT(boundary_error(before, now, false, uniform(2.0 * offset, Vec3::Zero()), 0.5), WithinAbs(0.0, 1e-15));
+TEST_CASE("the radius of a ring that grows as the exact one has no error, of another its difference",
+          "[engine][error_norms]") {
+  const ExactSolution grows{.displacement = [](const Vec2& x, double t) -> Vec2 { return t * 0.5 * x; }, .stress = {}};
+  const Piece before = arc(Vec2::Zero(), 2.0, 90.0, 0.0, 33);
+  const SplineCurve now = fit_spline(arc(Vec2::Zero(), 3.0, 90.0, 0.0, 33));
+  const auto exact = radius_error(fit_spline(before), now, grows, 1.0);
+  REQUIRE(exact);
+  CHECK_THAT(exact->mean, WithinRel(3.0, 1e-6));
+  CHECK_THAT(exact->exact, WithinRel(3.0, 1e-15));
+  CHECK_THAT(exact->mean_relative, WithinAbs(0.0, 1e-6));
+  const auto off = radius_error(fit_spline(before), now, grows, 0.6);
+  CHECK_THAT(off->exact, WithinRel(2.6, 1e-15));
+  CHECK_THAT(off->mean_relative, WithinRel(0.4 / 2.6, 1e-5));
 }
 
-TEST_CASE("on a curved piece a roller's error is that across it", "[engine][error_norms]") {
+TEST_CASE("a ring moved aside has the mean radius of a circle about a point off its centre", "[engine][error_norms]") {
   const ExactSolution rest = uniform(Vec2::Zero(), Vec3::Zero());
   const SplineCurve before = fit_spline(circle(Vec2::Zero(), 1.0, 64, false));
-  const SplineCurve now = fit_spline(circle(Vec2(1e-3, 0.0), 1.0, 64, false));
-  // |n·e| of a unit offset has mean square ½ around a circle
-  CHECK_THAT(boundary_error(before, now, true, rest, 1.0), WithinRel(1e-3 * std::sqrt(std::numbers::pi), 1e-4));
-  CHECK_THAT(boundary_error(before, now, false, rest, 1.0), WithinRel(1e-3 * std::sqrt(2.0 * std::numbers::pi), 1e-4));
+  const auto error = radius_error(before, fit_spline(circle(Vec2(0.01, 0.0), 1.0, 64, false)), rest, 1.0);
+  REQUIRE(error);
+  CHECK_THAT(error->mean, WithinRel(1.0 + 0.01 * 0.01 / 4.0, 1e-6));
+  CHECK_THAT(error->mean_relative, WithinRel(0.01 * 2.0 / std::numbers::pi, 1e-3));  // mean |cos|
+}
+
+TEST_CASE("a piece that was no arc about the origin has no radius", "[engine][error_norms]") {
+  const ExactSolution rest = uniform(Vec2::Zero(), Vec3::Zero());
+  const auto measured = [&](const Piece& piece) {
+    const SplineCurve curve = fit_spline(piece);
+    return radius_error(curve, curve, rest, 1.0).has_value();
+  };
+  CHECK(measured(circle(Vec2::Zero(), 1.0, 16, true)));
+  CHECK(measured(circle(Vec2(4e-4, 0.0), 1.0, 16, true)));
+  CHECK_FALSE(measured(circle(Vec2(2e-3, 0.0), 1.0, 16, true)));
+  CHECK_FALSE(measured(line({1.0, 0.0}, {2.0, 0.0}, 3)));
+  CHECK_FALSE(measured(line({-1.0, 0.0}, {1.0, 0.0}, 3)));
 }

@@ -58,10 +58,16 @@ TEST_CASE("x and X, y and Y are different places", "[engine][expression]") {
   CHECK(Expression("t")(at) == 5.0);
 }
 
-TEST_CASE("a number ramps with t, a formula does not", "[engine][expression]") {
-  const double t = GENERATE(0.0, 0.3, 1.0);
-  CHECK(Quantity(8.0)({.t = t}) == 8.0 * t);
-  CHECK(Quantity(Expression("8"))({.t = t}) == 8.0);
+TEST_CASE("a number ramps with the load factor, a formula does not", "[engine][expression]") {
+  const double factor = GENERATE(0.0, 0.3, 1.0);
+  CHECK(Quantity(8.0)({.t = 0.125, .factor = factor}) == 8.0 * factor);
+  CHECK(Quantity(Expression("8"))({.t = 0.125, .factor = factor}) == 8.0);
+}
+
+TEST_CASE("a formula knows whether it depends on place", "[engine][expression]") {
+  for (const char* formula : {"x", "2*y", "t+X", "sin(Y)"}) CHECK(Expression(formula).uses_place());
+  for (const char* formula : {"t", "pi", "p*exp(t)", "max(t, 2)"})
+    CHECK_FALSE(Expression(formula, {{"p", 1.0}}).uses_place());
 }
 
 TEST_CASE("the decimal sign is a point in every locale", "[engine][expression]") {

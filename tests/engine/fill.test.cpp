@@ -110,8 +110,8 @@ TEST_CASE("the lattice rule has the whole sub-cell at each centre inside", "[eng
 TEST_CASE("a vertex lattice has halves on edges and quarters at corners", "[engine][fill]") {
   const std::vector<SplineCurve> body = rectangle({0.1, 0.3}, {1.1, 0.9});
   const Vec2 cell_size(0.4, 0.4);  // sub-cells of 0.2: 6 × 4 points
-  const MaterialPoints points = fill_vertex(body, cell_size, {{2, 2}, true});
-  const MaterialPoints whole = fill_vertex(body, cell_size, {{2, 2}, false});
+  const MaterialPoints points = fill_vertex(body, cell_size, {.count = {2, 2}});
+  const MaterialPoints whole = fill_vertex(body, cell_size, {.count = {2, 2}, .volumes = VolumeRule::lattice});
   REQUIRE(points.size() == 24);
   REQUIRE(whole.size() == 24);
   CHECK_THAT(points.volume.sum(), WithinRel(0.6, 1e-12));
@@ -128,15 +128,50 @@ TEST_CASE("a vertex lattice has halves on edges and quarters at corners", "[engi
 }
 
 TEST_CASE("a body that no vertex lattice fits is refused with its measures", "[engine][fill]") {
-  CHECK_THROWS_WITH(fill_vertex(rectangle({0.0, 0.0}, {1.0, 0.7}), {0.4, 0.4}, {{2, 2}, true}),
+  CHECK_THROWS_WITH(fill_vertex(rectangle({0.0, 0.0}, {1.0, 0.7}), {0.4, 0.4}, {.count = {2, 2}}),
                     Contains("5 x 3.5 sub-cells") && Contains("0.2 m"));
-  CHECK_THROWS_WITH(fill_vertex(disc(Vec2::Zero(), 1.0), {0.5, 0.5}, {{1, 1}, true}),
+  CHECK_THROWS_WITH(fill_vertex(disc(Vec2::Zero(), 1.0), {0.5, 0.5}, {.count = {1, 1}}),
                     Contains("outline along the lattice") && Contains("m²"));
+}
+
+TEST_CASE("a vertex lattice that is given across the body has its number of points from side to side",
+          "[engine][fill]") {
+  const std::vector<SplineCurve> cantilever = rectangle({0.25, 3.5}, {10.25, 5.5});  // 10 m x 2 m, off the grid's nodes
+  const VertexFill across{.count = {28, 8}, .across = true};
+  const MaterialPoints points = fill_vertex(cantilever, {0.75, 0.75}, across);
+  REQUIRE(points.size() == 28 * 8);
+  CHECK_THAT(points.volume.sum(), WithinRel(20.0, 1e-12));
+  CHECK((points.position.rowwise().minCoeff() - Vec2(0.25, 3.5)).norm() < 1e-12);
+  CHECK((points.position.rowwise().maxCoeff() - Vec2(10.25, 5.5)).norm() < 1e-12);
+  CHECK((points.position * points.volume / 20.0 - Vec2(5.25, 4.5)).norm() < 1e-12);
+  const double whole = 10.0 / 27.0 * 2.0 / 7.0;
+  CHECK_THAT(points.volume.maxCoeff(), WithinRel(whole, 1e-9));
+  CHECK_THAT(points.volume.minCoeff(), WithinRel(whole / 4.0, 1e-9));
+  CHECK(fill_vertex(cantilever, {3.0, 0.1}, across).position == points.position);  // whatever the grid
+  CHECK_THROWS_WITH(fill_vertex(cantilever, {0.75, 0.75}, {.count = {28, 1}, .across = true}),
+                    Contains("at least 2 points across") && Contains("28 x 1"));
+}
+
+TEST_CASE("equal volumes share the area of the body among the points of the lattice", "[engine][fill]") {
+  test::Random random(4);
+  for (int draw = 0; draw < 20; ++draw) {
+    const std::vector<SplineCurve> curves = random_body(random);
+    const QuadrilateralGrid grid = grid_around(random);
+    const MaterialPoints lattice = fill_lattice(curves, grid, {{2, 3}, VolumeRule::lattice});
+    const MaterialPoints equal = fill_lattice(curves, grid, {{2, 3}, VolumeRule::equal});
+    CHECK(equal.position == lattice.position);
+    CHECK_THAT(equal.volume.sum(), WithinRel(Region(curves).area(), 1e-12));
+    CHECK(equal.volume.minCoeff() == equal.volume.maxCoeff());
+  }
+  const MaterialPoints vertex =
+      fill_vertex(rectangle({0.0, 0.0}, {3.0, 2.0}), {1.0, 1.0}, {.count = {1, 1}, .volumes = VolumeRule::equal});
+  CHECK(vertex.size() == 12);
+  CHECK((vertex.volume.array() - 0.5).abs().maxCoeff() < 1e-15);
 }
 
 TEST_CASE("points on the outline are marked with the way in, points inside are not", "[engine][fill]") {
   const std::vector<SplineCurve> body = rectangle({0.0, 0.0}, {1.0, 1.0});
-  MaterialPoints points = fill_vertex(body, {0.25, 0.25}, {{1, 1}, true});
+  MaterialPoints points = fill_vertex(body, {0.25, 0.25}, {.count = {1, 1}});
   mark_outline(Region(body), 1e-9, points);
   CHECK(points.on_outline.size() == 16);
   for (const OutlinePoint& edge : points.on_outline) {

@@ -6,6 +6,7 @@
 #include "../random.hpp"
 
 using namespace shoreline;
+using Catch::Matchers::WithinAbs;
 
 namespace {
 
@@ -108,6 +109,34 @@ TEST_CASE("an indefinite system is solved by LU, and said to be so", "[engine][l
     solver.factorize(sparse(definite));
     CHECK(solver.positive_definite());
     CHECK(relative(solver.solve(definite * x), x) < 1e-13);
+  }
+}
+
+TEST_CASE("refinement with shifted factors solves a singular system whose right side lets it, and no other",
+          "[engine][linear_solver]") {
+  test::Random random(8);
+  for (int draw = 0; draw < 10; ++draw) {
+    const Index n = random.whole(5, 30);
+    Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n + 2, n + 2);
+    a.topLeftCorner(n, n) = springs(random, n, 0.1);
+    a.bottomRightCorner(2, 2) << 1.0, -1.0, -1.0, 1.0;  // two unknowns that nothing holds
+    LinearSolver solver;
+    solver.analyse(sparse(a));
+    CHECK_THROWS_AS(solver.factorize(sparse(a)), SingularMatrix);
+    solver.factorize(sparse(a), 1e-9);
+    CHECK(solver.positive_definite());
+    Eigen::VectorXd x = random_vector(random, n + 2);
+    x[n + 1] = -x[n];  // no part in the null space
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(n + 2);
+    for (int k = 0; k < 4; ++k) y = solver.refined(a * x, y);
+    CHECK(relative(y, x) < 1e-6);
+    const Eigen::VectorXd pushed = a * x + Eigen::VectorXd::Unit(n + 2, n);
+    const Eigen::VectorXd once = solver.refined(pushed, y);
+    CHECK_THAT(solver.refined(pushed, once)[n] / once[n], WithinAbs(2.0, 1e-6));  // without end
+
+    Eigen::MatrixXd indefinite = a;
+    indefinite(0, 0) = -1.0;
+    CHECK_THROWS_AS(solver.factorize(sparse(indefinite), 1e-9), SingularMatrix);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <numeric>
 
 #include "../random.hpp"
@@ -75,6 +76,11 @@ TEST_CASE("points outside the grid are counted and the first is placed", "[engin
   CHECK_THROWS_AS(locate_points(basis, points), ComputationError);
   CHECK_THROWS_WITH(locate_points(basis, points), Contains("2 of 4") && Contains("point 1") && Contains("(2.5, 1.5)") &&
                                                       Contains("enlarge the grid"));
+  CHECK_THROWS_WITH(check_inside(basis, points), Contains("2 of 4") && Contains("point 1"));
+  position(0, 1) = position(0, 3) = std::nan("");
+  CHECK_THROWS_WITH(check_inside(basis, points_at(position, Eigen::VectorXd::Ones(4))), Contains("2 of 4"));
+  position(0, 1) = position(0, 3) = 2.0;
+  CHECK_NOTHROW(check_inside(basis, points_at(position, Eigen::VectorXd::Ones(4))));
 }
 
 TEST_CASE("a point on the outline and on a grid line belongs to the body's side", "[engine][material_points]") {

@@ -17,10 +17,19 @@ TEST_CASE("a report has sizes, errors, cost, warnings and the folder", "[engine]
   CHECK_THAT(report(summary, "out/square"),
              Contains("Square: completed, 1 load step, 64 material points, 50 unknowns") && Contains("solve") &&
                  Contains("0.250") && Contains("warning: the band is wide") && Contains("results: out/square") &&
-                 !Contains("errors"));
+                 !Contains("errors") && !Contains("probes") && !Contains("fit"));
 
   summary.errors.emplace();
   summary.errors->stress[1] = {.mean_relative = 1.5e-4, .mean_absolute = 2.5, .max_absolute = 3.5};
   CHECK_THAT(report(summary, "out/square"),
              Contains("stress yy [Pa]") && Contains("1.500e-04") && Contains("2.500e+00") && Contains("3.500e+00"));
+
+  summary.errors->boundary_radius["inner"] = {.mean = 2.0125, .exact = 2.0, .mean_relative = 6.25e-3};
+  summary.displacement_fit["edge"] = {.l2 = 1.5e-5, .mean = 2.5e-5};
+  summary.probes.push_back(
+      {"tip", 0, 4, {{0.0, Vec2(1, 2), Vec2::Zero(), {}}, {1.0, Vec2(1, 5.25), Vec2(0, 3.25), {}}}});
+  CHECK_THAT(report(summary, "out/square"), Contains("radius of inner: 2.0125 m, exact 2 m") && Contains("6.250e-03") &&
+                                                Contains("edge") && Contains("1.500e-05") && Contains("2.500e-05 m") &&
+                                                Contains("tip") && Contains("3.25") &&
+                                                Contains("tracking point from (1, 2)"));
 }

@@ -10,6 +10,8 @@ TEST_CASE("a summary has not completed, and has no errors, until it says so", "[
   CHECK_FALSE(summary.errors);
   CHECK_FALSE(summary.condition_estimate);
   CHECK(summary.warnings.empty());
+  CHECK(summary.probes.empty());
+  CHECK(summary.displacement_fit.empty());
   CHECK(summary.steps == 0);
 }
 

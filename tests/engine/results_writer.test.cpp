@@ -79,7 +79,7 @@ Dataset read(const std::filesystem::path& folder, const std::string& path) {
 }
 
 /// The attribute "name" of every group in @p path.
-std::vector<std::string> curve_names(const std::filesystem::path& folder, const std::string& path) {
+std::vector<std::string> names_in(const std::filesystem::path& folder, const std::string& path) {
   std::vector<std::string> names;
   const auto append_name = [](hid_t group, const char* link, const H5L_info_t*, void* to) -> herr_t {
     static_cast<std::vector<std::string>*>(to)->push_back(text_attribute(group, link, "name"));
@@ -135,6 +135,53 @@ TEST_CASE("what is read from results.h5 is what was saved, one row a point", "[e
   check_in_space("curves/edge/points", saved.curves[0].points);
   check_in_space("curves/edge/polyline", saved.curves[0].polyline);
   CHECK(read(folder.path, "grid/edges").shape == std::vector<hsize_t>{24, 4});
+}
+
+TEST_CASE("the history of probes grows by what is new, whatever steps are saved", "[engine][results]") {
+  const OutputFolder folder;
+  const auto state = [](double k, bool stressed) {
+    ProbeState at{.t = k / 600.0, .position = Vec2(k, -k), .displacement = Vec2(2.0 * k, 3.0 * k), .stress = {}};
+    if (stressed) at.stress = Stress(k, k + 0.25, k + 0.5, k + 0.75);
+    return at;
+  };
+  std::vector<Probe> probes{{"left|1", std::nullopt, 0, {state(0, true)}}, {"tip", 1, 2, {state(0, false)}}};
+  ResultsWriter writer(folder.path, "title", grid);
+  writer.append(probes);
+  for (int k = 1; k <= 600; ++k) {
+    probes[0].history.push_back(state(k, true));
+    probes[1].history.push_back(state(k, false));
+    if (k % 7 == 0 || k == 600) writer.append(probes);
+  }
+  writer.append(probes);
+
+  const Dataset time = read(folder.path, "probes/left%7C1/t");
+  CHECK(time.shape == std::vector<hsize_t>{601});
+  const Dataset stress = read(folder.path, "probes/left%7C1/stress");
+  CHECK(stress.shape == std::vector<hsize_t>{601, 4});
+  CHECK(stress.unit == "Pa");
+  const Dataset displacement = read(folder.path, "probes/tip/displacement");
+  CHECK(displacement.shape == std::vector<hsize_t>{601, 2});
+  CHECK(displacement.unit == "m");
+  const Dataset position = read(folder.path, "probes/tip/position");
+  for (std::size_t k = 0; k <= 600; ++k) {
+    const auto number = static_cast<double>(k);
+    CHECK(time.values[k] == number / 600.0);
+    CHECK(stress.values[4 * k + 3] == number + 0.75);
+    CHECK(position.values[2 * k + 1] == -number);
+    CHECK(displacement.values[2 * k] == 2.0 * number);
+  }
+  CHECK(names_in(folder.path, "probes") == std::vector<std::string>{"left|1", "tip"});
+  const hid_t file = H5Fopen((folder.path / "results.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  CHECK(H5Lexists(file, "probes/tip/stress", H5P_DEFAULT) == 0);
+  H5Fclose(file);
+}
+
+TEST_CASE("without probes nothing is built for them", "[engine][results]") {
+  const OutputFolder folder;
+  ResultsWriter(folder.path, "title", grid).append({});
+  const hid_t file = H5Fopen((folder.path / "results.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  CHECK(H5Lexists(file, "probes", H5P_DEFAULT) == 0);
+  H5Fclose(file);
 }
 
 TEST_CASE("a run that is killed leaves every finished step readable", "[engine][results]") {
@@ -196,7 +243,7 @@ TEST_CASE("every array that results.xdmf names exists with the shape it says", "
     const std::string entity = xdmf.substr(at, xdmf.find(';', at) - at + 1);
     CHECK((entity == "&lt;" || entity == "&gt;" || entity == "&quot;" || entity == "&amp;"));
   }
-  CHECK(curve_names(folder.path, "steps/000001/curves") == std::vector<std::string>{name});
+  CHECK(names_in(folder.path, "steps/000001/curves") == std::vector<std::string>{name});
 
   int arrays = 0;
   for (std::size_t at = xdmf.find("Dimensions=\""); at != std::string::npos; at = xdmf.find("Dimensions=\"", at + 1)) {

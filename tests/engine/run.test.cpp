@@ -1,5 +1,8 @@
 #include "shoreline/engine/run.hpp"
 
+#include <fmt/format.h>
+#include <hdf5.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
@@ -7,6 +10,7 @@
 
 #include "../scenes.hpp"
 #include "output_folder.hpp"
+#include "shoreline/boundary/short_forms.hpp"
 #include "shoreline/engine/failures.hpp"
 
 using namespace shoreline;
@@ -23,6 +27,21 @@ Case small_square(int steps = 1) {
   problem.threads = 1;
   problem.output.pictures = false;
   return problem;
+}
+
+/// Names of the steps in results.h5.
+std::vector<std::string> saved_steps(const std::filesystem::path& folder) {
+  const hid_t file = H5Fopen((folder / "results.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t group = H5Gopen(file, "steps", H5P_DEFAULT);
+  std::vector<std::string> names;
+  const auto note = [](hid_t, const char* name, const H5L_info_t*, void* to) -> herr_t {
+    static_cast<std::vector<std::string>*>(to)->emplace_back(name);
+    return 0;
+  };
+  H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, note, &names);
+  H5Gclose(group);
+  H5Fclose(file);
+  return names;
 }
 
 Json summary_in(const std::filesystem::path& folder) { return Json::parse(std::ifstream(folder / "summary.json")); }
@@ -62,8 +81,8 @@ TEST_CASE("errors of a run are those of its exact solution", "[engine][run]") {
   Case problem = test::compression_case(square);
   problem.threads = 1;
   problem.output.pictures = false;
-  problem.exact = Case::Exact{{Expression("0"), Expression("-t*1e-6*(Y+0.05)")},
-                              {Expression("0"), Expression("-t"), Expression("0")}};
+  problem.exact = Case::ExactExpressions{{Expression("0"), Expression("-t*1e-6*(Y+0.05)")},
+                                         {Expression("0"), Expression("-t"), Expression("0")}};
   const Summary summary = run(problem, {.output = folder.path, .quiet = true});
   REQUIRE(summary.errors);
   CHECK(summary.errors->displacement_l2_relative.value() < 1e-12);
@@ -71,22 +90,102 @@ TEST_CASE("errors of a run are those of its exact solution", "[engine][run]") {
   CHECK(summary.errors->boundary_l2_displacement.at("bottom") < 1e-12);
   CHECK(summary.errors->boundary_l2_displacement.size() == 3);
 
-  problem.exact->displacement[1] = Expression("0.001-t*1e-6*(Y+0.05)");  // off along the rollers at the sides
+  std::get<Case::ExactExpressions>(*problem.exact).displacement[1] =
+      Expression("0.001-t*1e-6*(Y+0.05)");  // off along the rollers at the sides
   const Summary off = run(problem, {.output = folder.path, .quiet = true});
   CHECK(off.errors->boundary_l2_displacement.at("right") < 1e-12);
   CHECK_THAT(off.errors->boundary_l2_displacement.at("bottom"), WithinRel(0.001 * std::sqrt(0.1), 1e-6));
 }
 
+TEST_CASE("the radii of a thick cylinder are measured on its arcs alone", "[engine][run]") {
+  const OutputFolder folder;
+  const Essential roller{.normal_only = true};
+  Case problem = small_square();
+  problem.grid = {.lower = Vec2(-0.3, -0.3), .upper = Vec2(2.4, 2.4), .cell_size = Vec2(0.125, 0.125)};
+  problem.boundaries = {{line({1.0, 0.0}, {2.0, 0.0}, 2), roller},
+                        {arc(Vec2::Zero(), 2.0, 0.0, 90.0, 17), Case::Free{}},
+                        {line({0.0, 2.0}, {0.0, 1.0}, 2), roller},
+                        {arc(Vec2::Zero(), 1.0, 90.0, 0.0, 17), Case::Pressure{Quantity(100.0)}}};
+  const std::array<const char*, 4> names{"bottom", "outer", "left", "inner"};
+  for (std::size_t k = 0; k < 4; ++k) problem.boundaries[k].piece.name = names[k];
+  problem.material_points = LatticeFill{{3, 3}, VolumeRule::clipped};
+  problem.exact = ThickCylinder{.inner_radius = 1.0, .outer_radius = 2.0, .pressure = 100.0};
+  const Summary summary = run(problem, {.output = folder.path, .quiet = true});
+  const auto& radii = summary.errors.value().boundary_radius;
+  REQUIRE(radii.size() == 2);
+  const double inner = 100.0 / 3.0 * 1.25 / 1e6 * (0.5 + 4.0);  // p a²/(b² − a²) (1 + ν)/E [(1 − 2ν) a + b²/a]
+  CHECK_THAT(radii.at("inner").exact - 1.0, WithinRel(inner, 1e-9));
+  CHECK_THAT(radii.at("inner").mean - 1.0, WithinRel(inner, 0.05));
+  CHECK(radii.at("inner").mean_relative < 0.05 * inner);
+  CHECK(radii.at("outer").mean_relative < 0.05 * inner);
+  CHECK(summary_in(folder.path)["errors"]["boundary"]["outer"].contains("radius"));
+  CHECK_FALSE(summary_in(folder.path)["errors"]["boundary"]["bottom"].contains("radius"));
+}
+
+TEST_CASE("probes are followed at every step, whatever steps are saved", "[engine][run]") {
+  const OutputFolder folder;
+  Case problem = small_square(5);
+  problem.probes = {{"centre", Vec2::Zero()}, {"corner", Vec2(0.07, 0.07)}};
+  problem.output.every = 4;
+  const Summary summary = run(problem, {.output = folder.path, .quiet = true});
+  REQUIRE(summary.probes.size() == 2);
+  const ProbeState& last = summary.probes[0].history.back();
+  const Json json = summary_in(folder.path)["probes"];
+  CHECK(json["centre"]["on"] == "material point");
+  CHECK(json["corner"]["on"] == "tracking point");
+  CHECK(json["centre"]["displacement"] == std::vector{last.displacement.x(), last.displacement.y()});
+  CHECK(json["centre"]["displacement"][1] < 0.0);
+
+  const hid_t file = H5Fopen((folder.path / "results.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t time = H5Dopen2(file, "probes/corner/t", H5P_DEFAULT);
+  std::array<double, 6> t{};
+  REQUIRE(H5Dget_storage_size(time) >= sizeof t);
+  REQUIRE(H5Dread(time, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, t.data()) >= 0);
+  CHECK(t == std::array{0.0, 0.2, 0.4, 0.6, 0.8, 1.0});
+  H5Dclose(time);
+  H5Fclose(file);
+}
+
 TEST_CASE("a run that fails leaves a summary that says so, and throws", "[engine][run]") {
   const OutputFolder folder;
   Case problem = small_square(4);
-  problem.boundaries[2].condition = Case::Traction{{Quantity(0.0), Quantity(5e6)}};  // the body leaves the grid
+  problem.boundaries[2].condition =
+      Case::Traction{std::array{Quantity(0.0), Quantity(5e6)}};  // the body leaves the grid
+  problem.probes = {{"corner", Vec2(0.07, 0.07)}};
   CHECK_THROWS_AS(run(problem, {.output = folder.path, .quiet = true}), ComputationError);
   const Json json = summary_in(folder.path);
   CHECK(json["status"] == "failed");
   CHECK_THAT(json["message"].get<std::string>(), Contains("load step ") && Contains("outside the grid"));
   CHECK(json["steps"].get<int>() >= 1);
+  CHECK(json["probes"]["corner"]["displacement"][1] > 0.01);
   CHECK(std::filesystem::exists(folder.path / "results.h5"));
+}
+
+TEST_CASE("a run that fails leaves its last step on disk, also where steps are left out", "[engine][run]") {
+  const OutputFolder folder;
+  Case problem = small_square(8);
+  problem.boundaries[2].condition =
+      Case::Traction{std::array{Quantity(0.0), Quantity(2e6)}};  // the body leaves the grid
+  problem.output.every = 100;
+  CHECK_THROWS_AS(run(problem, {.output = folder.path, .quiet = true}), ComputationError);
+  const int last = summary_in(folder.path)["steps"].get<int>();
+  CHECK(last > 1);
+  CHECK(saved_steps(folder.path) == std::vector<std::string>{"000000", fmt::format("{:06}", last)});
+}
+
+TEST_CASE("results are written where no curve runs through the moved tracking points any more", "[engine][run]") {
+  const OutputFolder folder;
+  test::CompressionSquare square{
+      .cells = 8, .per_cell = 2, .method = EssentialMethod::grid, .load = 0.0, .poissons_ratio = 0.0};
+  Case problem = test::compression_case(square);
+  problem.output.pictures = false;
+  // a bar between two walls under its weight along it: -0.98 is the strain of its last cell
+  problem.body_force = {Quantity(0.98 * 2.0 * square.youngs_modulus / (square.side * 7.0 / 8.0)), Quantity(0.0)};
+  std::vector<Vec2>& top = problem.boundaries[2].piece.points;
+  top.insert(top.begin() + 1, top.front() - Vec2(4e-14, 0.0));  // hardly further apart than an outline's points may be
+  CHECK_THROWS_WITH(run(problem, {.output = folder.path, .quiet = true}),
+                    Contains("load step 1: piece 'top': points 0 and 1 are the same"));
+  CHECK(saved_steps(folder.path).back() == "000001");
 }
 
 TEST_CASE("a case that makes no scene touches no folder", "[engine][run]") {
@@ -119,8 +218,10 @@ TEST_CASE("a plan names what will run and what not, and its sizes", "[engine][ru
   REQUIRE(will_not != std::string::npos);
   for (const char* effect : {"linear_elastic", "nitsche:bottom", "implicit_boundary:left", "traction:top"})
     CHECK(text.find(effect) < will_not);
-  CHECK_THAT(text.substr(will_not),
-             Contains("ghost penalty") && Contains("gravity") && Contains("load steps          5"));
+  CHECK_THAT(text.substr(will_not), Contains("ghost penalty") && Contains("gravity") && Contains("no key probes") &&
+                                        Contains("load steps          5"));
+  problem.probes = {{"tip", Vec2::Zero()}};
+  CHECK_THAT(plan(problem), Contains("probe:tip") && !Contains("no key probes"));
   problem.boundaries.pop_back();
   CHECK_THROWS_AS(plan(problem), CaseError);
 }

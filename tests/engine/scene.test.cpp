@@ -31,7 +31,7 @@ std::string refusal(const Case& problem) {
 
 std::vector<Constraint> constraints(const Scene& scene) {
   const test::Step step(scene);
-  return grid_constraints(*scene.basis, scene.boundary, step.state.edges);
+  return grid_constraints(*scene.basis, scene.boundary, step.state.edges, step.prescribed);
 }
 
 }  // namespace
@@ -104,10 +104,10 @@ TEST_CASE("a body that reaches outside its grid is refused at its piece, with th
 
 TEST_CASE("a fill that finds no points, or no lattice, is refused at material_points", "[engine][scene]") {
   Case problem = test::compression_case({.cells = 4});
-  problem.material_points = Case::VertexFill{{3, 7}, true};
+  problem.material_points = VertexFill{{3, 7}};
   CHECK(refusal(problem) == "accepted");
   problem.grid.cell_size = Vec2(0.03, 0.03);
-  problem.material_points = Case::VertexFill{{1, 1}, true};
+  problem.material_points = VertexFill{{1, 1}};
   CHECK_THAT(refusal(problem), Contains("square.json: /material_points: ") && Contains("whole numbers"));
   problem.boundaries.clear();
   CHECK_THAT(refusal(problem), Contains("/material_points") && Contains("needs an outline"));
@@ -115,9 +115,24 @@ TEST_CASE("a fill that finds no points, or no lattice, is refused at material_po
   CHECK(refusal(problem) == "accepted");
 }
 
+TEST_CASE("a listed point lies in the outline, or as little beside it as a spline lies beside an arc",
+          "[engine][scene]") {
+  Case problem = test::compression_case({.side = 0.1, .cells = 4});
+  const double h = 0.1 / 4;
+  const auto listed = [&](double beyond) {
+    problem.material_points = std::vector<Case::ListedPoint>{{Vec2::Zero(), 1.0}, {Vec2(0.05 + beyond, 0.01), 1.0}};
+    return refusal(problem);
+  };
+  CHECK(listed(-0.01 * h) == "accepted");
+  CHECK(listed(0.009 * h) == "accepted");
+  CHECK_THAT(listed(0.011 * h), Contains("point 1 at (0.050275, 0.01)") && Contains("outside the outline"));
+  CHECK_THAT(listed(1.0), Contains("point 1 at (1.05, 0.01)") && Contains("outside the outline"));
+}
+
 TEST_CASE("loads know original and current place and time; plain numbers ramp", "[engine][scene]") {
   Case problem = test::compression_case({.cells = 4});
-  problem.boundaries[2].condition = Case::Traction{{Quantity(8.0), Quantity(Expression("X + 100*x + 10000*t"))}};
+  problem.boundaries[2].condition =
+      Case::Traction{std::array{Quantity(8.0), Quantity(Expression("X + 100*x + 10000*t"))}};
   const Scene scene = build_scene(problem);
   const auto& traction = std::get<Traction>(scene.boundary[2].condition);
   BoundaryPoint p{};

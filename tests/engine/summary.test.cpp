@@ -78,7 +78,36 @@ TEST_CASE("errors and condition estimate appear only if they were computed", "[e
   CHECK(stress["l2_relative"].is_null());
   CHECK(stress["mean_relative"] == Json({nullptr, nullptr, nullptr}));
   CHECK(stress["mean_absolute"] == Json({0.0, 0.0, 5.0}));
-  CHECK(json["errors"]["boundary"]["left"]["l2_displacement"] == 7e-3);
+  CHECK(json["errors"]["boundary"]["left"].dump() == R"({"l2_displacement":0.007})");
+}
+
+TEST_CASE("a radius stands beside the other errors of its piece", "[engine][summary]") {
+  Summary summary;
+  summary.errors.emplace();
+  summary.errors->boundary_l2_displacement["inner"] = 8e-3;
+  summary.errors->boundary_radius["inner"] = {.mean = 2.5, .exact = 2.0, .mean_relative = 0.25};
+  CHECK(written(summary)["errors"]["boundary"] ==
+        Json::parse(
+            R"({"inner": {"l2_displacement": 0.008, "radius": {"mean": 2.5, "exact": 2.0, "mean_relative": 0.25}}})"));
+}
+
+TEST_CASE("probes and fits of prescribed displacements appear only where there are any", "[engine][summary]") {
+  Summary summary;
+  CHECK_FALSE(written(summary).contains("probes"));
+  CHECK_FALSE(written(summary).contains("displacement_fit"));
+
+  const ProbeState start{.t = 0.0, .position = Vec2(1, 2), .displacement = Vec2(0, 0), .stress = {}};
+  ProbeState end{.t = 1.0, .position = Vec2(4, 6), .displacement = Vec2(3, 4), .stress = Stress(5, 6, 7, 8)};
+  summary.probes.push_back({"inside", std::nullopt, 9, {start, end}});
+  end.stress.reset();
+  summary.probes.push_back({"tip", 2, 9, {start, end}});
+  summary.displacement_fit["edge"] = {.l2 = 1e-3, .mean = 2e-3};
+  const Json json = written(summary);
+  CHECK(json["displacement_fit"] == Json::parse(R"({"edge": {"l2": 0.001, "mean": 0.002}})"));
+  CHECK(json["probes"]["inside"] == Json::parse(R"({"on": "material point", "at": [1.0, 2.0], "position": [4.0, 6.0],
+                                                    "displacement": [3.0, 4.0], "stress": [5.0, 6.0, 7.0, 8.0]})"));
+  CHECK(json["probes"]["tip"] == Json::parse(R"({"on": "tracking point", "at": [1.0, 2.0], "position": [4.0, 6.0],
+                                                 "displacement": [3.0, 4.0]})"));
 }
 
 TEST_CASE("a number that is not finite and a text that is no UTF-8 still give valid JSON", "[engine][summary]") {

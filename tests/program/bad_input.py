@@ -68,7 +68,7 @@ def wrong_commands():
                          ("grid.lower.2=1", ["/grid/lower", '"2"', "below 2"]),
                          ("grid.lower.0.x=1", ["/grid/lower/0", "found -2"]),
                          ("boundaries.tpo.name=a", ["/boundaries", '"tpo"', 'nearest: "top"']),
-                         ("boundaries.7.name=a", ["/boundaries", '"7"', "below 4"])]:
+                         ("boundaries.7.name=a", ["/boundaries", '"7"', "below 6"])]:
         yield f"--set {value}", ["right.json", "--set", value], words
     yield "--set alone", ["right.json", "--set"], ["--set"]
     yield "--threads -1", ["right.json", "--threads", "-1"], ["/solver/threads", "found -1"]

@@ -5,7 +5,7 @@ import json
 
 CASE = {
     "title": "every key",
-    "analysis": {"type": "quasi_static", "plane": "strain", "load_steps": 2, "loading": "residual"},
+    "analysis": {"type": "quasi_static", "plane": "strain", "load_steps": 2, "load": "t^2", "loading": "residual"},
     "material": {"type": "linear_elastic", "youngs_modulus": 1e7, "poissons_ratio": 0.2, "density": 2000.0},
     "grid": {"cells": "quadrilateral", "basis": "bilinear", "lower": [-2, -2], "upper": [2, 2], "cell_size": 0.5},
     "boundaries": [
@@ -17,6 +17,10 @@ CASE = {
          "condition": {"type": "traction", "value": [0, "p*t"]}},
         {"name": "beam", "line": {"from": [0, -2], "to": [1, -2], "points": 2},
          "condition": {"type": "fixed", "method": "implicit_boundary", "band": 1e-3}},
+        {"name": "slide", "points": [[0, 1], [1, 1]],
+         "condition": {"type": "displacement", "normal": "p*t", "method": "nitsche", "band": 0.01}},
+        {"name": "moved", "points": [[0, 2], [1, 2]],
+         "condition": {"type": "displacement", "value": "exact", "method": "grid"}},
     ],
     "material_points": {"per_cell": [2, 2], "fill": "lattice", "volumes": "clipped"},
     "body_force": [0, "p"],
@@ -24,14 +28,22 @@ CASE = {
     "ghost": 1e-3,
     "constants": {"p": 1000.0},
     "exact": {"type": "expressions", "displacement": [0, "p*y"], "stress": [0, "p", 0]},
+    "probes": [{"name": "tip", "position": [1, 0]}, {"name": "root", "position": [-1, 0]}],
+    "tracking": {"respace": 4.0},
     "solver": {"threads": 1},
     "diagnostics": {"condition_estimate": True},
     "output": {"every": 1, "pictures": False},
 }
 
-OPTIONAL = {"title", "load_steps", "loading", "density", "cells", "basis", "corners", "condition", "method", "band",
-            "fill", "volumes", "body_force", "gravity", "ghost", "constants", "exact", "solver", "threads",
-            "diagnostics", "condition_estimate", "output", "every", "pictures", "hole", "p"}
+OTHERS = [("material_points", {"fill": "vertex", "across": [28, 8], "volumes": "lattice"}),
+          ("material_points", {"fill": "vertex", "per_cell": 2}),
+          ("material_points", {"fill": "polar", "across": [9, 17], "centre": [0, 0], "volumes": "equal"}),
+          ("exact", {"type": "plate_with_hole", "radius": 0.5, "far_field_stress": 1e6}),
+          ("exact", {"type": "thick_cylinder", "inner_radius": 1.0, "outer_radius": 5.0, "pressure": 1e6})]
+
+OPTIONAL = {"title", "load_steps", "load", "loading", "density", "cells", "basis", "corners", "condition", "method", "band",
+            "fill", "volumes", "body_force", "gravity", "ghost", "constants", "exact", "probes", "tracking", "respace",
+            "centre", "solver", "threads", "diagnostics", "condition_estimate", "output", "every", "pictures", "hole", "p"}
 
 
 class Wrong:
@@ -43,9 +55,9 @@ class Wrong:
         self.name, self.text, self.pointer, self.words, self.structural = name, text, pointer, words, structural
 
 
-def changed(path, change):
+def changed(path, change, case=CASE):
     """The case's text after change(parent, last key) at a path like grid/lower/0."""
-    case = copy.deepcopy(CASE)
+    case = copy.deepcopy(case)
     at = case
     *steps, last = [int(s) if s.isdigit() else s for s in path.split("/")]
     for step in steps:
@@ -54,34 +66,50 @@ def changed(path, change):
     return json.dumps(case)
 
 
-def replaced(path, value):
-    return changed(path, lambda at, last: at.__setitem__(last, value))
+def replaced(path, value, case=CASE):
+    return changed(path, lambda at, last: at.__setitem__(last, value), case)
 
 
 def keys(value, pointer=""):
-    """The pointers of all keys of objects, at any depth."""
+    """The pointers of all keys of objects, at any depth, and the objects."""
     entries = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
     for key, inner in entries:
         if isinstance(value, dict):
-            yield f"{pointer}/{key}"
+            yield f"{pointer}/{key}", value
         yield from keys(inner, f"{pointer}/{key}")
 
 
+def one_of_several(key, among):
+    """Whether a key stands for others that could be there in its place."""
+    families = [("name", {"points", "line", "arc", "circle"}), ("method", {"value", "normal"}),
+                ("fill", {"per_cell", "across"} if among.get("fill") == "vertex" else {})]
+    return any(beside in among and key in family for beside, family in families)
+
+
+def wrong_key(case, pointer, among):
+    """One key misspelt, mistyped, missing."""
+    parent, key = pointer.rsplit("/", 1)
+    path = pointer[1:]
+    tag = key == "type"
+    if parent != "/constants":
+        misspelt = key[:-1] + "q" + key[-1]
+        text = changed(path, lambda at, last: at.__setitem__(misspelt, at.pop(last)), case)
+        words = ['"type" is missing'] if tag else ["found unknown key", misspelt, "expected"]
+        yield Wrong(f"misspelt {pointer}", text, parent, words, True)
+    yield Wrong(f"mistyped {pointer}", replaced(path, None, case), pointer, ["found null", "expected"], True)
+    listed = key == "points" and "name" not in among
+    if (key not in OPTIONAL or one_of_several(key, among)) and not listed:
+        text = changed(path, lambda at, last: at.pop(last), case)
+        words = ["exactly one of"] if one_of_several(key, among) else [f'"{key}" is missing', "expected"]
+        yield Wrong(f"missing {pointer}", text, parent, words, True)
+
+
 def every_key_misspelt_mistyped_missing():
-    for pointer in keys(CASE):
-        parent, key = pointer.rsplit("/", 1)
-        path = pointer[1:]
-        shape = parent.count("/") == 2 and key in ("points", "line", "arc", "circle")
-        if parent != "/constants":
-            misspelt = key[:-1] + "q" + key[-1]
-            text = changed(path, lambda at, last: at.__setitem__(misspelt, at.pop(last)))
-            words = ['"type" is missing'] if key == "type" else ["found unknown key", misspelt, "expected"]
-            yield Wrong(f"misspelt {pointer}", text, parent, words, True)
-        yield Wrong(f"mistyped {pointer}", replaced(path, None), pointer, ["found null", "expected"], True)
-        if key not in OPTIONAL and not (key == "points" and not shape):
-            text = changed(path, lambda at, last: at.pop(last))
-            words = ["exactly one of"] if shape else [f'"{key}" is missing', "expected"]
-            yield Wrong(f"missing {pointer}", text, parent, words, True)
+    for pointer, among in keys(CASE):
+        yield from wrong_key(CASE, pointer, among)
+    for place, value in OTHERS:
+        for pointer, among in keys(value, f"/{place}"):
+            yield from wrong_key({**CASE, place: value}, pointer, among)
 
 
 def wrong_values():
@@ -94,6 +122,9 @@ def wrong_values():
         ("analysis/load_steps", 1.5, "whole number", True),
         ("analysis/load_steps", 1000001, "1000000", True),
         ("analysis/load_steps", 1e300, "1000000", True),
+        ("analysis/load", "x*t", "which depends on place", False),
+        ("analysis/load", "q*t", "character 1", False),
+        ("analysis/load", [1], "a number or an expression", True),
         ("material/youngs_modulus", 0, "> 0", True),
         ("material/youngs_modulus", -1e7, "> 0", True),
         ("material/youngs_modulus", "1e7", "a number", True),
@@ -126,7 +157,7 @@ def wrong_values():
         ("boundaries/0/corners/0", 0, "an inner point, 1 to 1", False),
         ("boundaries/0/corners/0", -1, "whole number", True),
         ("boundaries/0/condition/type", "rollar", 'nearest: "roller"', True),
-        ("boundaries/0/condition/type", "displacement", '"fixed"', True),
+        ("boundaries/0/condition/type", "displacment", 'nearest: "displacement"', True),
         ("boundaries/0/condition/method", "penalty", '"nitsche"', True),
         ("boundaries/0/condition/band", 0, "> 0", True),
         ("boundaries/0/condition/band", 0.2, "0.1", True),
@@ -140,19 +171,34 @@ def wrong_values():
         ("boundaries/2/condition/value", [1], "list of 2", True),
         ("boundaries/2/condition/value/1", "sin(t", "parenthesis", False),
         ("boundaries/3/line/points", 1000001, "1000000", True),
+        ("boundaries/4/condition/normal", [0, 1], "a number or an expression", True),
+        ("boundaries/4/condition/normal", "exakt", "character 1", False),
+        ("boundaries/5/condition/value", "exakt", '"exact"', True),
+        ("boundaries/5/condition/value", 1, 'a list of 2', True),
+        ("boundaries/5/condition/value", {}, 'or "exact"', True),
+        ("boundaries/5/condition/value", [0, 0, 0], "a list of 2", True),
         ("material_points", [], "an object", True),
         ("material_points/per_cell", 0, "from 1 to 1000", True),
         ("material_points/per_cell", 1001, "from 1 to 1000", True),
         ("material_points/per_cell", [2, 2, 2], "list of 2", True),
-        ("material_points/fill", "polar", '"vertex"', True),
+        ("material_points/fill", "polr", 'nearest: "polar"', True),
         ("material_points/volumes", "fitted", '"clipped"', True),
         ("body_force", 1, "list of 2", True),
         ("gravity/1", "down", "a number", True),
         ("ghost", -1e-3, "≥ 0", True),
         ("constants/p", "1000", "a number", True),
-        ("exact/type", "plate", '"expressions"', True),
+        ("exact/type", "plate", 'nearest: "plate_with_hole"', True),
         ("exact/displacement", [0], "list of 2", True),
         ("exact/stress/1", "p*z", "character 3", False),
+        ("probes", [], "at least 1", True),
+        ("probes/0", [1, 0], "an object", True),
+        ("probes/0/name", "a.b", "a name", True),
+        ("probes/1/name", "tip", "the name of probe 0", False),
+        ("probes/0/position", [0], "list of 2", True),
+        ("probes/0/position/1", -1e30, "-1e+09", True),
+        ("tracking", 4, "an object", True),
+        ("tracking/respace", 1, "> 1", True),
+        ("tracking/respace", 1e300, "1e+06", True),
         ("solver/threads", -1, "from 0", True),
         ("solver/threads", 100000, "1024", True),
         ("diagnostics/condition_estimate", 1, "true or false", True),
@@ -160,7 +206,7 @@ def wrong_values():
         ("output/pictures", "no", "true or false", True),
     ]
     for path, value, words, structural in table:
-        formula = isinstance(value, str) and ("/value" in path or path.startswith("exact/stress"))
+        formula = words in ("character 1", "character 3", "==", "empty", "parenthesis")
         found = "formula" if formula else "found"
         yield Wrong(f"{path} = {value!r}", replaced(path, value), "/" + path, [found, words], structural)
 
@@ -180,7 +226,35 @@ def wrong_together():
     yield also("constants", "t", 1, "/constants/t", ["variable"], False)
     yield also("constants", "sin", 1, "/constants/sin", ["function"], False)
     yield also("constants", "1p", 1, "/constants/1p", ["letters"], False)
+    yield also("boundaries/4/condition", "value", [0, 0], "/boundaries/4/condition", ["exactly one of"], True)
+    yield also("boundaries/5/condition", "band", 1e-3, "/boundaries/5/condition/band", ["expected none"], False)
+    yield Wrong("an exact displacement of no exact solution", changed("exact", lambda at, last: at.pop(last)),
+                "/boundaries/5/condition/value", ['the key "exact"'], False)
     yield also("material_points", "points", [[0, 0]], "/material_points", ["unknown key"], True)
+    yield also("material_points", "across", [2, 2], "/material_points", ['unknown key "across"'], True)
+    for value, pointer, words, structural in [
+            ({"fill": "vertex", "across": [28, 8], "per_cell": 2}, "", ["exactly one of"], True),
+            ({"fill": "vertex"}, "", ["exactly one of"], True),
+            ({"fill": "vertex", "across": [1, 8]}, "/across/0", ["from 2"], True),
+            ({"fill": "vertex", "across": 8}, "/across", ["list of 2"], True),
+            ({"fill": "polar", "per_cell": 2}, "", ['unknown key "per_cell"'], True),
+            ({"fill": "polar", "across": [2, 1e300]}, "/across/1", ["1000000"], True),
+            ({"fill": "polar", "across": [100000, 100000]}, "/across", ["1e+10 points"], False),
+            ({"fill": "polar", "across": [2, 2], "centre": [0]}, "/centre", ["list of 2"], True),
+            ({"fill": "polar", "across": [2, 2], "volumes": "lattice"}, "/volumes", ['"equal"'], True)]:
+        yield Wrong(f"material_points = {value}", replaced("material_points", value), "/material_points" + pointer,
+                    words, structural)
+    for value, pointer, words, structural in [
+            ({"type": "plate_with_hole", "radius": 0, "far_field_stress": 1}, "/radius", ["> 0"], True),
+            ({"type": "plate_with_hole", "radius": 1, "far_field_stress": 1e31}, "/far_field_stress", ["1e+30"], True),
+            ({"type": "plate_with_hole", "radius": 1, "pressure": 1}, "", ['unknown key "pressure"'], True),
+            ({"type": "thick_cylinder", "inner_radius": -1, "outer_radius": 2, "pressure": 1}, "/inner_radius",
+             ["> 0"], True),
+            ({"type": "thick_cylinder", "inner_radius": 2, "outer_radius": 2, "pressure": 1}, "/outer_radius",
+             ["more than 2"], False),
+            ({"type": "thick_cylinder", "inner_radius": 1, "outer_radius": 2, "pressure": "p"}, "/pressure",
+             ["a number"], True)]:
+        yield Wrong(f"exact = {value}", replaced("exact", value), "/exact" + pointer, words, structural)
     yield Wrong("more volumes than points", replaced("material_points", {"points": [[0, 0]], "volumes": [1, 1]}),
                 "/material_points/volumes", ["2 volumes", "1 point"], False)
     yield Wrong("a negative volume", replaced("material_points", {"points": [[0, 0]], "volumes": [-1]}),

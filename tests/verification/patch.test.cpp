@@ -37,7 +37,7 @@ Case patch(const Draw& draw, EssentialMethod method, double band, double ghost, 
   const auto corner = [&](double x, double y) -> Vec2 { return draw.centre + turn * Vec2(x, y); };
   const auto pull = [&](const Vec2& traction) {
     const Vec2 t = turn * traction;
-    return Case::Traction{{Quantity(t.x()), Quantity(t.y())}};
+    return Case::Traction{std::array{Quantity(t.x()), Quantity(t.y())}};
   };
   const Essential roller{.normal_only = true, .method = method, .band = band};
   const auto side = [](std::string name, Vec2 from, Vec2 to, Case::Condition condition) {
@@ -51,7 +51,7 @@ Case patch(const Draw& draw, EssentialMethod method, double band, double ghost, 
                         side("right", corner(0.5, -0.4), corner(0.5, 0.4), pull({3e3, 0.0})),
                         side("top", corner(0.5, 0.4), corner(-0.5, 0.4), pull({0.0, -5e3})),
                         side("left", corner(-0.5, 0.4), corner(-0.5, -0.4), roller)};
-  problem.material_points = Case::LatticeFill{{2, 2}, VolumeRule::clipped};
+  problem.material_points = LatticeFill{{2, 2}, VolumeRule::clipped};
   problem.ghost = ghost;
   return problem;
 }

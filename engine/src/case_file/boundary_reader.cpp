@@ -63,7 +63,7 @@ std::vector<int> read_corners(const Node& node, const Piece& piece) {
 }
 
 Essential read_essential(const Node& node) {
-  Essential essential{.normal_only = node["type"].is("roller")};
+  Essential essential{.normal_only = node["type"].is("roller") || node.has("normal")};
   if (node["method"].is("nitsche")) {
     essential.method = EssentialMethod::nitsche;
     essential.band = 0.01;
@@ -75,11 +75,36 @@ Essential read_essential(const Node& node) {
   return essential;
 }
 
-Case::Condition read_condition(const Node& node, const Constants& constants) {
-  if (node["type"].is("traction"))
-    return Case::Traction{
-        {read_quantity(node["value"].entry(0), constants), read_quantity(node["value"].entry(1), constants)}};
-  if (node["type"].is("pressure")) return Case::Pressure{read_quantity(node["value"], constants)};
+/// What conditions may refer to.
+struct Known {
+  const Constants& constants;
+  bool exact;
+
+  /// Whether a value is that of the exact solution.
+  [[nodiscard]] bool from_exact(const Node& value) const {
+    if (value.is("exact") && !exact)
+      value.place.fail("found \"exact\", expected the key \"exact\" in the case, which says what is exact");
+    return value.is("exact");
+  }
+};
+
+Case::Traction read_traction(const Node& value, const Known& known) {
+  if (known.from_exact(value)) return {Case::FromExact{}};
+  return {read_pair(value, known.constants)};
+}
+
+Case::Displacement read_displacement(const Node& node, const Known& known) {
+  const Essential support = read_essential(node);
+  const Node value = node[support.normal_only ? "normal" : "value"];
+  if (known.from_exact(value)) return {Case::FromExact{}, support};
+  if (support.normal_only) return {read_quantity(value, known.constants), support};
+  return {read_pair(value, known.constants), support};
+}
+
+Case::Condition read_condition(const Node& node, const Known& known) {
+  if (node["type"].is("traction")) return read_traction(node["value"], known);
+  if (node["type"].is("pressure")) return Case::Pressure{read_quantity(node["value"], known.constants)};
+  if (node["type"].is("displacement")) return read_displacement(node, known);
   return read_essential(node);
 }
 
@@ -90,6 +115,10 @@ Quantity read_quantity(const Node& node, const Constants& constants) {
   return read_expression(node, constants);
 }
 
+std::array<Quantity, 2> read_pair(const Node& node, const Constants& constants) {
+  return {read_quantity(node.entry(0), constants), read_quantity(node.entry(1), constants)};
+}
+
 Expression read_expression(const Node& node, const Constants& constants) {
   return node.made([&] {
     return Expression(node.value.is_number() ? fmt::format("{}", node.as<double>()) : node.as<std::string>(),
@@ -97,7 +126,7 @@ Expression read_expression(const Node& node, const Constants& constants) {
   });
 }
 
-std::vector<Case::Boundary> read_boundaries(const Node& node, const Constants& constants) {
+std::vector<Case::Boundary> read_boundaries(const Node& node, const Constants& constants, bool has_exact) {
   std::vector<Case::Boundary> boundaries;
   std::map<std::string, std::size_t> seen;
   for (std::size_t i = 0; i < node.size(); ++i) {
@@ -109,7 +138,7 @@ std::vector<Case::Boundary> read_boundaries(const Node& node, const Constants& c
       entry["name"].place.fail(fmt::format("found \"{}\", the name of boundary {} too, expected another",
                                            boundary.piece.name, before->second));
     boundary.piece.corners = read_corners(entry["corners"], boundary.piece);
-    if (entry.has("condition")) boundary.condition = read_condition(entry["condition"], constants);
+    if (entry.has("condition")) boundary.condition = read_condition(entry["condition"], {constants, has_exact});
     boundaries.push_back(std::move(boundary));
   }
   return boundaries;

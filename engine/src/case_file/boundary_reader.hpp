@@ -13,10 +13,16 @@ using Constants = std::map<std::string, double>;
 /// A number, which ramps, or a formula.
 [[nodiscard]] Quantity read_quantity(const Node& node, const Constants& constants);
 
+/// Two of them, x and y.
+[[nodiscard]] std::array<Quantity, 2> read_pair(const Node& node, const Constants& constants);
+
 /// A formula, or a number that does not ramp.
 [[nodiscard]] Expression read_expression(const Node& node, const Constants& constants);
 
-/// @throws CaseError for points that make no piece, names that repeat, a band where there is none
-[[nodiscard]] std::vector<Case::Boundary> read_boundaries(const Node& node, const Constants& constants);
+/// @param has_exact  whether the case has an exact solution, to which conditions may refer
+/// @throws CaseError for points that make no piece, names that repeat, a band where there is none, the value of an
+/// exact
+///         solution where there is none
+[[nodiscard]] std::vector<Case::Boundary> read_boundaries(const Node& node, const Constants& constants, bool has_exact);
 
 }  // namespace shoreline

@@ -83,47 +83,92 @@ std::vector<Case::ListedPoint> read_listed_points(const Node& node) {
   return points;
 }
 
-Case::MaterialPoints read_material_points(const Node& node, const Case::Grid& grid) {
+VolumeRule read_volumes(const Node& node) {
+  if (node.is("lattice")) return VolumeRule::lattice;
+  return node.is("equal") ? VolumeRule::equal : VolumeRule::clipped;
+}
+
+/// Refuses a lattice of more points than a machine holds.
+/// @param cells  that it may fill
+void check_count(const Node& node, const std::array<int, 2>& count, double cells) {
   constexpr double most = 1e9;
-  if (node.has("points")) return read_listed_points(node);
-  const auto per_cell = pair_of<int>(node["per_cell"]);
-  const double points = whole_cells(grid).prod() * per_cell[0] * per_cell[1];
+  const double points = cells * count[0] * count[1];
   if (points > most)
-    node["per_cell"].place.fail(
-        fmt::format("found {}, up to {:.3g} points on this grid, expected at most {:g}; take "
-                    "fewer a cell or larger cells",
-                    node["per_cell"].value.dump(), points, most));
-  const bool clipped = node["volumes"].is("clipped");
-  if (node["fill"].is("vertex")) return Case::VertexFill{per_cell, clipped};
-  return Case::LatticeFill{per_cell, clipped ? VolumeRule::clipped : VolumeRule::lattice};
+    node.place.fail(fmt::format("found {}, up to {:.3g} points, expected at most {:g}; take fewer, or larger cells",
+                                node.value.dump(), points, most));
+}
+
+Case::MaterialPoints read_material_points(const Node& node, const Case::Grid& grid) {
+  if (node.has("points")) return read_listed_points(node);
+  const VolumeRule volumes = read_volumes(node["volumes"]);
+  if (node.has("per_cell")) {
+    const auto per_cell = pair_of<int>(node["per_cell"]);
+    check_count(node["per_cell"], per_cell, whole_cells(grid).prod());
+    if (node["fill"].is("vertex")) return VertexFill{per_cell, false, volumes};
+    return LatticeFill{per_cell, volumes};
+  }
+  const auto across = pair_of<int>(node["across"]);
+  check_count(node["across"], across, 1.0);
+  if (node["fill"].is("vertex")) return VertexFill{across, true, volumes};
+  return PolarFill{node["centre"].vector(), across, volumes};
 }
 
 Case::Exact read_exact(const Node& node, const Constants& constants) {
+  if (node["type"].is("plate_with_hole"))
+    return PlateWithHole{node["radius"].as<double>(), node["far_field_stress"].as<double>()};
+  if (node["type"].is("thick_cylinder")) {
+    const auto inner = node["inner_radius"].as<double>();
+    const auto outer = node["outer_radius"].as<double>();
+    if (outer <= inner)
+      node["outer_radius"].place.fail(fmt::format("found {}, expected more than {}, the inner radius", outer, inner));
+    return ThickCylinder{inner, outer, node["pressure"].as<double>()};
+  }
   const auto read = [&](const char* key, std::size_t i) { return read_expression(node[key].entry(i), constants); };
-  return {{read("displacement", 0), read("displacement", 1)},
-          {read("stress", 0), read("stress", 1), read("stress", 2)}};
+  return Case::ExactExpressions{{read("displacement", 0), read("displacement", 1)},
+                                {read("stress", 0), read("stress", 1), read("stress", 2)}};
 }
 
 /// γ that the bilinear basis needs where Nitsche's method is used, so that the system stays positive definite.
 double ghost_by_default(const std::vector<Case::Boundary>& boundaries) {
-  for (const Case::Boundary& boundary : boundaries) {
-    const auto* essential = std::get_if<Essential>(&boundary.condition);
-    if (essential != nullptr && essential->method == EssentialMethod::nitsche) return 1e-3;
-  }
+  const auto uses_nitsche =
+      Overloaded{[](const Essential& held) { return held.method == EssentialMethod::nitsche; },
+                 [](const Case::Displacement& held) { return held.support.method == EssentialMethod::nitsche; },
+                 [](const auto&) { return false; }};
+  for (const Case::Boundary& boundary : boundaries)
+    if (std::visit(uses_nitsche, boundary.condition)) return 1e-3;
   return 0.0;
 }
 
-void read_loads(const Node& root, const Constants& constants, Case& problem) {
-  if (root.has("body_force")) {
-    const Node force = root["body_force"];
-    problem.body_force.emplace(
-        std::array{read_quantity(force.entry(0), constants), read_quantity(force.entry(1), constants)});
+std::vector<Case::Probe> read_probes(const Node& node) {
+  std::vector<Case::Probe> probes;
+  std::map<std::string, std::size_t> seen;
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    const Node entry = node.entry(i);
+    probes.push_back({entry["name"].as<std::string>(), entry["position"].vector()});
+    const auto [before, is_new] = seen.emplace(probes.back().name, i);
+    if (!is_new)
+      entry["name"].place.fail(
+          fmt::format("found \"{}\", the name of probe {} too, expected another", probes.back().name, before->second));
   }
+  return probes;
+}
+
+/// A formula of t alone.
+Expression read_load(const Node& node, const Constants& constants) {
+  Expression load = read_expression(node, constants);
+  if (load.uses_place())
+    node.place.fail(fmt::format("found {}, which depends on place, expected a formula of t", described(node.value)));
+  return load;
+}
+
+void read_loads(const Node& root, const Constants& constants, Case& problem) {
+  if (root.has("body_force")) problem.body_force = read_pair(root["body_force"], constants);
   if (root.has("gravity")) {
     problem.gravity = root["gravity"].vector();
     if (!problem.material.density)
       root["gravity"].place.fail("found gravity, expected \"density\" in /material beside it");
   }
+  if (root["analysis"].has("load")) problem.load = read_load(root["analysis"]["load"], constants);
   if (root.has("exact")) problem.exact = read_exact(root["exact"], constants);
 }
 
@@ -145,10 +190,12 @@ Case case_of(const Node& root, const std::filesystem::path& file) {
   const Constants constants = read_constants(root["constants"]);
   problem.material = read_material(root["material"]);
   problem.grid = read_grid(root["grid"]);
-  problem.boundaries = read_boundaries(root["boundaries"], constants);
+  problem.boundaries = read_boundaries(root["boundaries"], constants, root.has("exact"));
   problem.material_points = read_material_points(root["material_points"], problem.grid);
   problem.ghost = root.has("ghost") ? root["ghost"].as<double>() : ghost_by_default(problem.boundaries);
   read_loads(root, constants, problem);
+  if (root.has("probes")) problem.probes = read_probes(root["probes"]);
+  if (root["tracking"].has("respace")) problem.respacing = root["tracking"]["respace"].as<double>();
   return problem;
 }
 

@@ -37,11 +37,11 @@ Json schema_of(const Object& object) {
 }
 
 Json schema_of(const Tagged& tagged) {
-  Json json = {{"type", "object"}, {"required", {"type"}}};
+  Json json = {{"type", "object"}};
   for (const auto& [name, object] : tagged.alternatives) {
     Json one = schema_of(object);
-    one["properties"]["type"] = {{"const", name}};
-    one["required"].push_back("type");
+    one["properties"][tagged.tag] = {{"const", name}};
+    if (name != tagged.fallback) one["required"].push_back(tagged.tag);
     json["oneOf"].push_back(one);
   }
   return json;

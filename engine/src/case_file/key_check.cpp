@@ -22,7 +22,8 @@ bool fits_type(const Schema& schema, const Json& value) {
   return std::visit(
       Overloaded{[&](const Object& object) { return value.is_object() && value.contains(object.keys.front().name); },
                  [&](const List&) { return value.is_array(); }, [&](const Number&) { return value.is_number(); },
-                 [&](const Integer&) { return value.is_number(); }, [](const auto&) { return false; }},
+                 [&](const Integer&) { return value.is_number(); }, [&](const Choice&) { return value.is_string(); },
+                 [&](const Tagged&) { return value.is_object(); }, [](const auto&) { return false; }},
       schema.kind);
 }
 
@@ -89,7 +90,8 @@ class Checker {
   }
   void check_kind(const Either& either, const Schema& schema, Json& value) {
     const Schema& meant = alternative(either, value);
-    if (!fits_type(meant, value) && !value.is_object()) expect(false, schema, value);
+    const bool object = value.is_object() && std::holds_alternative<Object>(meant.kind);  // says which key it lacks
+    expect(object || fits_type(meant, value), schema, value);
     check(meant, value);
   }
   void check_kind(const Object& object, const Schema& schema, Json& value) {
@@ -99,24 +101,21 @@ class Checker {
   void check_kind(const Tagged& tagged, const Schema& schema, Json& value) {
     expect(value.is_object(), schema, value);
     const std::vector<std::string> types = names(tagged);
-    if (!value.contains("type")) fail("key \"type\" is missing, " + expected_one_of(types, ""));
-    path_.emplace_back("type");
-    check_kind(Choice{types}, {Choice{types}}, value["type"]);
-    path_.pop_back();
-    const auto chosen = std::ranges::find(types, value["type"].get_ref<const std::string&>());
+    if (!value.contains(tagged.tag)) {
+      if (tagged.fallback.empty())
+        fail(fmt::format("key \"{}\" is missing, {}", tagged.tag, expected_one_of(types, "")));
+      value[tagged.tag] = tagged.fallback;
+    }
+    check_at(tagged.tag, {Choice{types}}, value[tagged.tag]);
+    const auto chosen = std::ranges::find(types, value[tagged.tag].get_ref<const std::string&>());
     const Object& object = tagged.alternatives[static_cast<std::size_t>(chosen - types.begin())].second;
     std::vector<std::string> allowed = names(object);
-    allowed.insert(allowed.begin(), "type");
+    allowed.insert(allowed.begin(), tagged.tag);
     check_keys(object, allowed, value);
   }
 
   void check_keys(const Object& object, const std::vector<std::string>& allowed, Json& value) {
-    for (const auto& [name, entry] : value.items())
-      if (!std::ranges::count(allowed, name)) {
-        const std::string problem =
-            fmt::format("found unknown key {}, {}", Json(name).dump(), expected_one_of(allowed, name));
-        fail(problem);
-      }
+    refuse_unknown(allowed, value);
     check_exactly_one(object, value);
     for (const Key& key : object.keys) {
       if (!value.contains(key.name)) {
@@ -126,6 +125,17 @@ class Checker {
       }
       check_at(key.name, key.schema, value[key.name]);
     }
+  }
+
+  /// Tells of a key that is like an allowed one before it tells of a foreign one.
+  void refuse_unknown(const std::vector<std::string>& allowed, const Json& value) const {
+    std::vector<std::string> unknown;
+    for (const auto& [name, entry] : value.items())
+      if (!std::ranges::count(allowed, name)) unknown.push_back(name);
+    if (unknown.empty()) return;
+    const auto typo = std::ranges::find_if(unknown, [&](const auto& name) { return !nearest(name, allowed).empty(); });
+    const std::string& name = typo == unknown.end() ? unknown.front() : *typo;
+    fail(fmt::format("found unknown key {}, {}", Json(name).dump(), expected_one_of(allowed, name)));
   }
 
   void check_exactly_one(const Object& object, const Json& value) const {

@@ -38,6 +38,11 @@ std::string in_words(const Either& either) {
   return text;
 }
 
+std::string in_words(const Tagged& tagged) {
+  const std::string text = fmt::format("an object with \"{}\", {}", tagged.tag, any_of(names(tagged)));
+  return tagged.fallback.empty() ? text : fmt::format("{} (default \"{}\")", text, tagged.fallback);
+}
+
 }  // namespace
 
 std::string in_words(const Schema& schema) {
@@ -52,8 +57,7 @@ std::string in_words(const Schema& schema) {
           [](const Formula&) { return std::string("a number or an expression in a string"); },
           [](const List& list) { return in_words(list); },
           [](const NumberMap& map) { return "an object of names, each with " + in_words(map.range); },
-          [](const Object&) { return std::string("an object"); },
-          [](const Tagged& tagged) { return "an object with \"type\", " + any_of(names(tagged)); },
+          [](const Object&) { return std::string("an object"); }, [](const Tagged& tagged) { return in_words(tagged); },
           [](const Either& either) { return in_words(either); }},
       schema.kind);
 }

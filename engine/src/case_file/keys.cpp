@@ -38,6 +38,8 @@ Schema analysis() {
       {key("plane", {Choice{{"strain", "stress"}}}, required, "", "plane strain or plane stress"),
        key("load_steps", {Integer{1, 1000000}}, otherwise(Case{}.load_steps), "",
            "equal steps N; t = k/N at the end of step k"),
+       key("load", {Formula{}}, optional, "",
+           "load factor, an expression of t by which plain numbers ramp; default t itself"),
        key("loading", {Choice{{"residual", "incremental"}}}, otherwise("residual"), "",
            "what a step balances: the whole load less what is carried already, or the increment of load alone")},
       {}};
@@ -96,11 +98,25 @@ Object held() {
 }
 
 Schema condition() {
-  const Object traction{{key("value", several(2, {Formula{}}), required, "Pa", "force per area on the body, x and y")},
+  const Schema vector_or_exact{Either{{several(2, {Formula{}}), {Choice{{"exact"}}}}}};
+  const Object traction{{key("value", vector_or_exact, required, "Pa",
+                             "force per area on the body, x and y; `exact`: of the exact solution")},
                         {}};
   const Object pressure{{key("value", {Formula{}}, required, "Pa", "pushes into the body, along its current normal")},
                         {}};
-  return {Tagged{{{"fixed", held()}, {"roller", held()}, {"traction", traction}, {"pressure", pressure}}}};
+  Object displacement = held();
+  displacement.keys.insert(
+      displacement.keys.begin(),
+      {key("value", vector_or_exact, optional, "m",
+           "displacement since the start, x and y; `exact`: of the exact solution"),
+       key("normal", {Formula{}}, optional, "m",
+           "its component along the inward normal alone, positive into the body, free along the piece; or `exact`")});
+  displacement.exactly_one = {"value", "normal"};
+  return {Tagged{{{"fixed", held()},
+                  {"roller", held()},
+                  {"displacement", displacement},
+                  {"traction", traction},
+                  {"pressure", pressure}}}};
 }
 
 Schema boundary() {
@@ -117,27 +133,69 @@ Schema boundary() {
       {"points", "line", "arc", "circle"}}};
 }
 
+Key volumes(std::vector<std::string> rules, std::string meaning) {
+  return key("volumes", {Choice{std::move(rules)}}, otherwise("clipped"), "", std::move(meaning));
+}
+
 Schema material_points() {
+  const auto per_cell = [](const Presence& presence) {
+    return key("per_cell", one_or_pair({Integer{1, 1000}}), presence, "", "sub-cells in each direction of a cell");
+  };
+  const Schema layers = several(2, {Integer{2, 1000000}});
   const Object listed{
       {key("points", list(position(), 1, many), required, "m", "positions"),
        key("volumes", list(positive_number(), 1, many), required, "m³ per metre of thickness", "one a point")},
       {}};
-  const Object filled{
-      {key("per_cell", one_or_pair({Integer{1, 1000}}), required, "", "sub-cells in each direction of a cell"),
-       key("fill", {Choice{{"lattice", "vertex"}}}, otherwise("lattice"), "",
-           "points at the centres of sub-cells, or on a lattice whose outer layer lies on the outline"),
-       key("volumes", {Choice{{"lattice", "clipped"}}}, otherwise("clipped"), "",
-           "`clipped`: each point has the part of its sub-cell inside the outline, and on `lattice` fill sits at its "
-           "centroid (`vertex` fill: halves on edges, quarters at corners); `lattice`: the whole sub-cell")},
+  const Object lattice{
+      {per_cell(required), volumes({"clipped", "lattice", "equal"},
+                                   "`clipped`: a point at the centroid of each sub-cell's part inside the outline, "
+                                   "with its area; `lattice`: at its centre, with the whole sub-cell; `equal`: there, "
+                                   "each with the same share of the body")},
       {}};
-  return {Either{{{listed}, {filled}}}};
+  const Object vertex{
+      {per_cell(optional),
+       key("across", layers, optional, "", "points from side to side in x and y, both outer layers included"),
+       volumes({"clipped", "lattice", "equal"},
+               "`clipped`: the part of a point's sub-cell inside the outline (halves on edges, quarters at corners); "
+               "`lattice`: the whole sub-cell; `equal`: the same share of the body for each")},
+      {"per_cell", "across"}};
+  const Object polar{
+      {key("across", layers, required, "", "points along the radius and along the angle, both outer layers included"),
+       key("centre", position(), otherwise(Json::array({0, 0})), "m", "of the ring or sector that the outline bounds"),
+       volumes({"clipped", "equal"},
+               "`clipped`: a point's own sector of the ring, halved at the outer layers; `equal`: "
+               "the same share of the body for each")},
+      {}};
+  return {
+      Either{{{listed}, {Tagged{{{"lattice", lattice}, {"vertex", vertex}, {"polar", polar}}, "fill", "lattice"}}}}};
 }
 
 Schema exact() {
+  const Object plate{{key("radius", length(), required, "m", "radius of a hole about the origin"),
+                      key("far_field_stress", any_number(), required, "Pa", "σ_xx far away, times the load factor")},
+                     {}};
+  const Object cylinder{{key("inner_radius", length(), required, "m", "inner radius of a ring about the origin"),
+                         key("outer_radius", length(), required, "m", "outer radius; greater than `inner_radius`"),
+                         key("pressure", any_number(), required, "Pa", "on the inner radius, times the load factor")},
+                        {}};
   const Object expressions{{key("displacement", several(2, {Formula{}}), required, "m", "u, v"),
                             key("stress", several(3, {Formula{}}), required, "Pa", "xx, yy, xy; tension positive")},
                            {}};
-  return {Tagged{{{"expressions", expressions}}}};
+  return {Tagged{{{"plate_with_hole", plate}, {"thick_cylinder", cylinder}, {"expressions", expressions}}}};
+}
+
+Schema probe() {
+  return {Object{{key("name", {Name{}}, required, "", "name in results; no two alike"),
+                  key("position", position(), required, "m", "place at the start")},
+                 {}}};
+}
+
+Schema tracking() {
+  return {
+      Object{{key("respace", {Number{{1.0, 1e6, true}}}, optional, "",
+                  "largest ratio of chords between two corners that is tolerated; beyond it the tracking points there "
+                  "are spaced evenly along the curve; default: never")},
+             {}}};
 }
 
 Schema solver() {
@@ -174,6 +232,9 @@ Schema whole_case() {
        key("constants", {NumberMap{{-huge, huge}}}, otherwise(nothing_said), "", "numbers by name, for expressions"),
        key("exact", exact(), optional, "",
            "exact solution as functions of the original position and t; with it, errors are computed"),
+       key("probes", list(probe(), 1, 100000), optional, "",
+           "history of the material point or tracking point nearest to a place, saved at every step"),
+       key("tracking", tracking(), otherwise(nothing_said), "", "how tracking points are kept"),
        key("solver", solver(), otherwise(nothing_said), "", "how systems are solved"),
        key("diagnostics", diagnostics(), otherwise(nothing_said), "", "measured only where asked for"),
        key("output", output(), otherwise(nothing_said), "", "what is written")},

@@ -54,9 +54,11 @@ struct Object {
   std::vector<Key> keys;
   std::vector<std::string> exactly_one;
 };
-/// An object whose key "type" says which further keys it has.
+/// An object with a key that says which further keys it has.
 struct Tagged {
   std::vector<std::pair<std::string, Object>> alternatives;
+  std::string tag = "type";
+  std::string fallback{};  ///< alternative that a missing tag means; empty: it must be there
 };
 /// Alternatives told apart by their JSON type; objects by their first key. The last one answers for what fits none.
 struct Either {

@@ -22,7 +22,10 @@ void collect(const Schema& schema, const std::string& path, std::vector<Section>
                         },
                         [&](const Tagged& tagged) {
                           for (const auto& [name, object] : tagged.alternatives)
-                            sections.push_back({path, "`\"type\": \"" + name + "\"`", &object});
+                            sections.push_back({path,
+                                                fmt::format("`\"{}\": \"{}\"`{}", tagged.tag, name,
+                                                            name == tagged.fallback ? " (default)" : ""),
+                                                &object});
                         },
                         [&](const Either& either) {
                           for (const Schema& one : either.alternatives) {

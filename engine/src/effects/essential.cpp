@@ -1,42 +1,20 @@
 #include "shoreline/boundary/essential.hpp"
 
-#include <algorithm>
 #include <cassert>
 
+#include "edge_history.hpp"
 #include "shoreline/engine/effects.hpp"
 
 namespace shoreline {
 namespace {
 
-/// What a support has exerted so far, along the curve: traction T (rows 0, 1) and slip U (rows 2, 3), polynomial on
-/// each segment of the step before, (D.7). The place (span, u) moves with the material.
-struct EdgeHistory {
-  std::vector<Segment> segments;
-  Eigen::VectorXd node;    ///< Gauss points of a segment, in [0, 1]
-  Eigen::Matrix4Xd value;  ///< at every boundary point
-
-  [[nodiscard]] Eigen::Vector4d at(int span, double u) const {
-    const auto ends_before = [&](const Segment& segment) {
-      return segment.span < span || (segment.span == span && segment.end < u);
-    };
-    const auto found = std::ranges::partition_point(segments, ends_before);
-    const auto s = static_cast<std::size_t>(std::min(found, segments.end() - 1) - segments.begin());
-    const double place = (u - segments[s].begin) / (segments[s].end - segments[s].begin);
-    Eigen::Vector4d sum = Eigen::Vector4d::Zero();
-    for (Eigen::Index i = 0; i < node.size(); ++i) {  // Lagrange polynomials
-      double weight = 1.0;
-      for (Eigen::Index j = 0; j < node.size(); ++j)
-        if (j != i) weight *= (place - node[j]) / (node[i] - node[j]);
-      sum += weight * value.col(static_cast<Eigen::Index>(s) * node.size() + i);
-    }
-    return sum;
-  }
-};
-
 class EssentialEdge final : public Contribution {
  public:
   EssentialEdge(int piece, std::string piece_name, Essential condition, std::shared_ptr<const Material> material)
-      : piece_(piece), piece_name_(std::move(piece_name)), condition_(condition), material_(std::move(material)) {}
+      : piece_(piece),
+        piece_name_(std::move(piece_name)),
+        condition_(std::move(condition)),
+        material_(std::move(material)) {}
 
   [[nodiscard]] std::string name() const override {
     return (condition_.method == EssentialMethod::nitsche ? "nitsche:" : "implicit_boundary:") + piece_name_;
@@ -44,17 +22,25 @@ class EssentialEdge final : public Contribution {
 
   void add(const StepState& step, ElementBlocks& blocks) const override {
     const Edge& edge = step.edges[static_cast<std::size_t>(piece_)];
+    const Points points = points_of(step, edge);
     for (std::size_t s = 0; s < edge.segments.size(); ++s) {
       const std::size_t block = blocks.append(step.basis.functions_of(edge.support_cell[s]));
       const BandIntegrals band = band_of(step, edge.segments[s]);
       Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(2 * blocks.functions_in(block), 2 * blocks.functions_in(block));
-      for (std::size_t k = first_point(edge, s); k < first_point(edge, s + 1); ++k) {
-        const BoundaryPoint& p = edge.points[k];
-        const EdgeOperators o = operators(step, edge, k);
+      for (std::size_t k = s * points.per_segment; k < (s + 1) * points.per_segment; ++k) {
+        const BoundaryPoint& p = points.point[k];
+        const EdgeOperators o = operators(step, edge.support_cell[s], p);
         stiffness += p.weight *
                      (band.share * (o.traction.transpose() * o.displacement + o.displacement.transpose() * o.traction) +
                       band.penalty * o.displacement.transpose() * o.stiffness * o.displacement);
-        if (carried_.segments.empty()) continue;
+        if (step.prescribed.cols() > 0) {
+          const Eigen::VectorXd d = local(step, edge, s, step.prescribed);
+          const Vec2 moved = o.displacement * d;
+          const Vec2 traction = band.penalty * o.stiffness * moved + (band.share - 1.0) * o.traction * d;
+          blocks.force_of(block) +=
+              p.weight * (o.displacement.transpose() * traction + band.share * o.traction.transpose() * moved);
+        }
+        if (carried_.empty()) continue;
         const Eigen::Vector4d carried = carried_.at(p.span, p.u);
         blocks.force_of(block) -= p.weight * (o.displacement.transpose() * carried.head<2>() +
                                               band.share * o.traction.transpose() * carried.tail<2>());
@@ -65,30 +51,39 @@ class EssentialEdge final : public Contribution {
 
   void accept(const StepState& step, const Eigen::Matrix2Xd& increment) override {
     const Edge& edge = step.edges[static_cast<std::size_t>(piece_)];
-    Eigen::Matrix4Xd now(4, static_cast<Eigen::Index>(edge.points.size()));
+    const Points points = points_of(step, edge);
+    Eigen::Matrix4Xd now(4, static_cast<Eigen::Index>(points.point.size()));
     Vec3 reaction = Vec3::Zero();
-    for (std::size_t k = 0; k < edge.points.size(); ++k) {
-      const BoundaryPoint& p = edge.points[k];
-      const std::size_t s = edge.segment_of(k);
+    for (std::size_t k = 0; k < points.point.size(); ++k) {
+      const BoundaryPoint& p = points.point[k];
+      const std::size_t s = k / points.per_segment;
       const BandIntegrals band = band_of(step, edge.segments[s]);
-      const EdgeOperators o = operators(step, edge, k);
-      const ShortIndices functions = step.basis.functions_of(edge.support_cell[s]);
-      Eigen::VectorXd d(2 * functions.size());
-      for (Eigen::Index a = 0; a < functions.size(); ++a) d.segment<2>(2 * a) = increment.col(functions[a]);
-
+      const EdgeOperators o = operators(step, edge.support_cell[s], p);
+      Eigen::VectorXd d = local(step, edge, s, increment);
+      Vec2 traction = Vec2::Zero();
+      if (step.prescribed.cols() > 0) {
+        const Eigen::VectorXd moved = local(step, edge, s, step.prescribed);
+        traction = o.traction * moved;
+        d -= moved;
+      }
       const Vec2 slip = o.displacement * d;
-      const Vec2 traction = band.share * o.traction * d + band.penalty * o.stiffness * slip;
-      auto total = now.col(static_cast<Eigen::Index>(k));
+      traction += band.share * o.traction * d + band.penalty * o.stiffness * slip;
+      Eigen::Vector4d total;
       total << traction, slip;
-      if (!carried_.segments.empty()) total += held_part(carried_.at(p.span, p.u), p.normal);
+      if (!carried_.empty()) total += held_part(carried_.at(p.span, p.u), p.normal);
+      now.col(static_cast<Eigen::Index>(k)) = total;
       reaction -= resultant(p.x, p.weight * total.head<2>());
     }
     if (step.loading == Loading::incremental) {
       reaction_ += reaction;
     } else {
       reaction_ = reaction;
-      carried_ = {edge.segments, gauss(edge.points_per_segment).point, std::move(now)};
+      carried_ = {edge.segments, rule_for(step).point, std::move(now)};
     }
+  }
+
+  void respace(int piece, const PlaceMap& places) override {
+    if (piece == piece_) carried_.places = places;
   }
 
   void report(Resultants& resultants) const override { resultants.reactions[piece_name_] = reaction_; }
@@ -102,24 +97,41 @@ class EssentialEdge final : public Contribution {
     return held;
   }
 
-  static std::size_t first_point(const Edge& edge, std::size_t segment) {
-    return segment * static_cast<std::size_t>(edge.points_per_segment);
+  /// Coefficients of the functions that a segment sees, (2n).
+  static Eigen::VectorXd local(const StepState& step, const Edge& edge, std::size_t segment,
+                               const Eigen::Matrix2Xd& coefficient) {
+    const ShortIndices functions = step.basis.functions_of(edge.support_cell[segment]);
+    Eigen::VectorXd d(2 * functions.size());
+    for (Eigen::Index a = 0; a < functions.size(); ++a) d.segment<2>(2 * a) = coefficient.col(functions[a]);
+    return d;
+  }
+
+  /// p + 1 points a segment: with more, the penalty holds more than the trace of the basis can follow on a curve.
+  static QuadratureRule rule_for(const StepState& step) { return gauss(step.basis.degree() + 1); }
+
+  struct Points {
+    std::vector<BoundaryPoint> point;
+    std::size_t per_segment;
+  };
+  static Points points_of(const StepState& step, const Edge& edge) {
+    const QuadratureRule rule = rule_for(step);
+    return {boundary_points(edge.curve, edge.segments, rule), static_cast<std::size_t>(rule.point.size())};
   }
 
   [[nodiscard]] BandIntegrals band_of(const StepState& step, const Segment& segment) const {
     return band_integrals(condition_.method, condition_.band * step.basis.grid().size(segment.cell));
   }
 
-  [[nodiscard]] EdgeOperators operators(const StepState& step, const Edge& edge, std::size_t k) const {
-    const Support support = step.basis.support(edge.support_cell[edge.segment_of(k)], edge.points[k].x);
-    return edge_operators(support, edge.points[k].normal, material_->tangent(Stress::Zero()), condition_.normal_only);
+  [[nodiscard]] EdgeOperators operators(const StepState& step, Index cell, const BoundaryPoint& p) const {
+    return edge_operators(step.basis.support(cell, p.x), p.normal, material_->tangent(Stress::Zero()),
+                          condition_.normal_only);
   }
 
   int piece_;
   std::string piece_name_;
   Essential condition_;
   std::shared_ptr<const Material> material_;
-  EdgeHistory carried_;  ///< residual loading only
+  EdgeHistory carried_;  ///< traction T and slip U so far; residual loading only
   Vec3 reaction_ = Vec3::Zero();
 };
 
@@ -128,7 +140,7 @@ class EssentialEdge final : public Contribution {
 std::unique_ptr<Contribution> essential_on(int piece, std::string piece_name, Essential condition,
                                            std::shared_ptr<const Material> material) {
   assert(condition.method != EssentialMethod::grid);
-  return std::make_unique<EssentialEdge>(piece, std::move(piece_name), condition, std::move(material));
+  return std::make_unique<EssentialEdge>(piece, std::move(piece_name), std::move(condition), std::move(material));
 }
 
 }  // namespace shoreline

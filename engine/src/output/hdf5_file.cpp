@@ -4,6 +4,7 @@
 #include <hdf5.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -84,6 +85,35 @@ bool write_array(hid_t file, const std::string& path, hid_t type, const void* da
   return set.valid() && H5Dwrite(set.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) >= 0;
 }
 
+/// An array without rows yet; of one dimension where a row is one number.
+bool make_growing(hid_t file, const std::string& path, hsize_t width) {
+  constexpr hsize_t rows_a_page = 256;
+  const int rank = width == 1 ? 1 : 2;
+  const std::array<hsize_t, 2> none{0, width}, any{H5S_UNLIMITED, width}, page{rows_a_page, width};
+  const Handle space(H5Screate_simple(rank, none.data(), any.data()), H5Sclose);
+  const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_chunk(creation.id(), rank, page.data());
+  const Handle links = link_properties();
+  return Handle(H5Dcreate2(file, path.c_str(), H5T_NATIVE_DOUBLE, space.id(), links.id(), creation.id(), H5P_DEFAULT),
+                H5Dclose)
+      .valid();
+}
+
+bool write_last_row(hid_t file, const std::string& path, const Eigen::VectorXd& row) {
+  const Handle set(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose);
+  std::array<hsize_t, 2> size{};
+  {
+    const Handle space(H5Dget_space(set.id()), H5Sclose);
+    H5Sget_simple_extent_dims(space.id(), size.data(), nullptr);
+  }
+  const std::array<hsize_t, 2> start{size[0]++, 0}, count{1, static_cast<hsize_t>(row.size())};
+  if (H5Dset_extent(set.id(), size.data()) < 0) return false;
+  const Handle space(H5Dget_space(set.id()), H5Sclose);
+  H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
+  const Handle memory(H5Screate_simple(1, &count[1], nullptr), H5Sclose);
+  return H5Dwrite(set.id(), H5T_NATIVE_DOUBLE, memory.id(), space.id(), H5P_DEFAULT, row.data()) >= 0;
+}
+
 bool write_attribute(hid_t file, const std::string& path, const std::string& name, hid_t type, const void* value) {
   const Handle object(H5Oopen(file, path.c_str(), H5P_DEFAULT), H5Oclose);
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
@@ -135,6 +165,15 @@ void Hdf5File::write_table(const std::string& path, const Eigen::MatrixXi& colum
   const Quiet quiet;
   const std::vector<hsize_t> shape{static_cast<hsize_t>(columns.cols()), static_cast<hsize_t>(columns.rows())};
   if (!write_array(id_, path, H5T_NATIVE_INT, columns.data(), shape)) fail(file_, path);
+}
+
+void Hdf5File::append_row(const std::string& path, const Eigen::VectorXd& row, const std::string& unit) {
+  const Quiet quiet;
+  if (!contains(path)) {
+    if (!make_growing(id_, path, static_cast<hsize_t>(row.size()))) fail(file_, path);
+    set_attribute(path, "unit", unit);
+  }
+  if (!write_last_row(id_, path, row)) fail(file_, path);
 }
 
 void Hdf5File::set_attribute(const std::string& path, const std::string& name, const std::string& text) {

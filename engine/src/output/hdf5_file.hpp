@@ -29,6 +29,9 @@ class Hdf5File {
   void write_numbers(const std::string& path, const Eigen::VectorXd& numbers, const std::string& unit);
   void write_table(const std::string& path, const Eigen::MatrixXi& columns);
 
+  /// Adds one row to an array that grows, which is made where it is missing. Rows of one number make a vector.
+  void append_row(const std::string& path, const Eigen::VectorXd& row, const std::string& unit);
+
   void set_attribute(const std::string& path, const std::string& name, const std::string& text);
   void set_attribute(const std::string& path, const std::string& name, double number);
   void set_attribute(const std::string& path, const std::string& name, int number);

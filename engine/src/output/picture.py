@@ -17,6 +17,7 @@ except ImportError:
 
 MOST_DRAWN_POINTS = 200_000  # more of them are drawn as their means in square bins
 BINS = 350  # along the body's longer side
+MOST_BACKED_POINTS = 50_000  # among more of them no gaps are seen
 SMALLEST_VISIBLE = 0.02  # of the body's size; smaller displacements are exaggerated to 0.05 of it
 STRESS_NAMES = ["σ_xx", "σ_yy", "σ_xy", "σ_zz"]
 PREFIXES = {"": 1.0, "m": 1e-3, "µ": 1e-6, "n": 1e-9, "k": 1e3, "M": 1e6, "G": 1e9}
@@ -90,6 +91,7 @@ class Body:
         self.outline = closed_path(self.now, 1e-3 * self.size)
         if self.outline is not None:
             self.reach_outline()
+            self.fill_gaps()
 
     def read_points(self, points):
         displacement, stress = points["displacement"][:, :2], points["stress"][:]
@@ -115,6 +117,14 @@ class Body:
         self.side[~whole] = 1.4 * self.side.max()
         self.x, self.displacement, self.stress, self.side = (
             field[order] for field in (self.x, self.displacement, self.stress, self.side))
+
+    def fill_gaps(self):
+        """Draws every point also behind all others, so large that no gap shows where the material turned or stretched."""
+        if len(self.x) > MOST_BACKED_POINTS:
+            return
+        self.side = np.concatenate([2.0 * self.side, self.side])
+        self.x, self.displacement, self.stress = (
+            np.vstack([field, field]) for field in (self.x, self.displacement, self.stress))
 
     def bounds(self):
         half = self.side[:, None] / 2 if self.outline is None else 0

@@ -71,6 +71,19 @@ void write_curve(Hdf5File& file, const std::string& group, const SavedStep::Curv
   write_cells(file, line_table(curve.polyline.cols()), curve.polyline.cols(), true);
 }
 
+void append_state(Hdf5File& file, const Probe& probe, const ProbeState& state) {
+  const std::string group = "/probes/" + link_name(probe.name);
+  if (!file.contains("/probes") || !file.contains(group)) {
+    file.make_group(group);
+    file.set_attribute(group, "name", probe.name);
+    file.set_attribute(group, "on", probe.piece ? "tracking point" : "material point");
+  }
+  file.append_row(group + "/t", Eigen::VectorXd::Constant(1, state.t), "1");
+  file.append_row(group + "/position", state.position, "m");
+  file.append_row(group + "/displacement", state.displacement, "m");
+  if (state.stress) file.append_row(group + "/stress", *state.stress, "Pa");
+}
+
 /// At least what a step takes in the file, with HDF5's own records.
 std::uintmax_t bytes_of(const SavedStep& step) {
   Eigen::Index numbers = 14 * step.volume.size() + step.volume.size();
@@ -115,6 +128,16 @@ void ResultsWriter::write(const SavedStep& step) {
   curve_grids_ += curve_grid(step);
   ++saved_;
   if (saved_ > indexed_ + indexed_ / 50) write_index();
+}
+
+void ResultsWriter::append(const std::vector<Probe>& probes) {
+  if (probes.empty()) return;
+  constexpr std::size_t most_a_probe = 65536;  // bytes, with new pages of its four histories
+  reserve(folder_ / "results.h5", probes.size() * most_a_probe);
+  Hdf5File file(folder_ / "results.h5", Hdf5File::Mode::append);
+  for (; recorded_ < probes.front().history.size(); ++recorded_)
+    for (const Probe& probe : probes) append_state(file, probe, probe.history[recorded_]);
+  file.close();
 }
 
 void ResultsWriter::write_index() {

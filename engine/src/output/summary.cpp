@@ -30,7 +30,10 @@ Json component_norms(const std::optional<double>& l2_relative, const std::array<
 
 Json error_norms(const ErrorNorms& errors) {
   Json boundary = Json::object();
-  for (const auto& [name, l2] : errors.boundary_l2_displacement) boundary[name] = {{"l2_displacement", l2}};
+  for (const auto& [name, l2] : errors.boundary_l2_displacement) boundary[name]["l2_displacement"] = l2;
+  for (const auto& [name, radius] : errors.boundary_radius)
+    boundary[name]["radius"] = {
+        {"mean", radius.mean}, {"exact", radius.exact}, {"mean_relative", radius.mean_relative}};
   return {{"displacement", component_norms(errors.displacement_l2_relative, errors.displacement)},
           {"stress", component_norms(errors.stress_l2_relative, errors.stress)},
           {"boundary", boundary}};
@@ -39,6 +42,18 @@ Json error_norms(const ErrorNorms& errors) {
 Json resultants(const std::map<std::string, Vec3>& of_pieces) {
   Json json = Json::object();
   for (const auto& [name, resultant] : of_pieces) json[name] = {resultant[0], resultant[1], resultant[2]};
+  return json;
+}
+
+Json list(const Eigen::VectorXd& numbers) { return std::vector<double>(numbers.begin(), numbers.end()); }
+
+Json probe(const Probe& probe) {
+  const ProbeState& last = probe.history.back();
+  Json json = {{"on", probe.piece ? "tracking point" : "material point"},
+               {"at", list(probe.history.front().position)},
+               {"position", list(last.position)},
+               {"displacement", list(last.displacement)}};
+  if (last.stress) json["stress"] = list(*last.stress);
   return json;
 }
 
@@ -78,6 +93,9 @@ void write_summary(const Summary& summary, const std::filesystem::path& folder) 
   if (summary.errors) json["errors"] = error_norms(*summary.errors);
   json["reactions"] = resultants(summary.reactions);
   json["loads"] = resultants(summary.loads);
+  for (const auto& [name, error] : summary.displacement_fit)
+    json["displacement_fit"][name] = {{"l2", error.l2}, {"mean", error.mean}};
+  for (const Probe& p : summary.probes) json["probes"][p.name] = probe(p);
   json["extended_share"] = summary.extended_share;
   add_costs(summary, json);
   if (summary.condition_estimate) json["condition_estimate"] = *summary.condition_estimate;

@@ -22,6 +22,10 @@ struct Face {
   Vec2 b;
 };
 
+/// How far outside the grid, in cells, a place still belongs to the cell at the border: what is held on the border may
+/// slip a little.
+inline constexpr double border_slack = 0.01;
+
 /// Cells on each of which every function of a basis is one polynomial.
 ///
 /// Cells are convex polygons numbered from 0. Everything that follows the edge of the body through the grid (trace,
@@ -35,7 +39,10 @@ class Grid {
   /// The smallest box that holds all cells.
   [[nodiscard]] virtual Box bounds() const = 0;
 
-  /// The cell that holds @p x; none outside the grid. On an edge any of its cells.
+  /// Whether a whole box lies in the grid. A grid may answer no where it cannot tell at once.
+  [[nodiscard]] virtual bool covers(const Box& /*box*/) const { return false; }
+
+  /// The cell that holds @p x; none more than border_slack outside the grid. On an edge any of its cells.
   /// @param hint  a cell near x (the one that held the point before), or 0
   [[nodiscard]] virtual std::optional<Index> locate(const Vec2& x, Index hint) const = 0;
 

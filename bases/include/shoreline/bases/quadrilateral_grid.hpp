@@ -18,6 +18,7 @@ class QuadrilateralGrid final : public Grid {
 
   [[nodiscard]] Index cells() const override { return count_[0] * count_[1]; }
   [[nodiscard]] Box bounds() const override;
+  [[nodiscard]] bool covers(const Box& box) const override;
   [[nodiscard]] std::optional<Index> locate(const Vec2& x, Index hint) const override;
   [[nodiscard]] std::vector<Vec2> polygon(Index cell) const override;
   [[nodiscard]] double size(Index cell) const override;

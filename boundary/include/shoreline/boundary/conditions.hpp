@@ -28,11 +28,13 @@ enum class EssentialMethod {
   grid                ///< coefficients on the piece are eliminated; it must lie on grid lines
 };
 
-/// No displacement across the piece, or none at all.
+/// The displacement of the piece, or its component across the piece, is zero or prescribed.
 struct Essential {
   bool normal_only = false;  ///< roller: the tangential displacement is free
   EssentialMethod method = EssentialMethod::implicit_boundary;
   double band = 1e-3;  ///< δ/h, width of the band in cells; unused by grid
+  /// Prescribed displacement since the start at a boundary point and time [m]; empty: zero.
+  std::function<Vec2(const BoundaryPoint&, double)> value{};
 };
 
 using Condition = std::variant<Free, Traction, Pressure, Essential>;

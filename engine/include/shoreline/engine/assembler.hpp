@@ -11,8 +11,9 @@ namespace shoreline {
 /// A displacement component of a function that is prescribed on a grid line.
 struct Constraint {
   Index function;
-  int component;  ///< 0 or 1
-  int piece;      ///< boundary piece that asks for it
+  int component;       ///< 0 or 1
+  int piece;           ///< boundary piece that asks for it
+  double value = 0.0;  ///< increment [m]
 };
 
 /// Lower half of a symmetric matrix, compressed by columns, rows ascending.
@@ -31,10 +32,12 @@ class Assembler {
   /// @return whether the pattern of the call before still holds (then nothing was done)
   bool prepare(const ElementBlocks& blocks, const std::vector<Constraint>& constraints, Index functions);
 
-  /// Sums the blocks. The sums do not depend on the number of threads.
+  /// Sums the blocks; prescribed values go to the right-hand side, (C.2). The sums do not depend on the number of
+  /// threads.
   void assemble(const ElementBlocks& blocks, SparseMatrix& matrix, Eigen::VectorXd& force) const;
 
-  /// Increment of all functions, (2, functions), from a solution; zero where there is no unknown.
+  /// Increment of all functions, (2, functions), from a solution; prescribed values where constrained, else zero where
+  /// there is no unknown.
   [[nodiscard]] Eigen::Matrix2Xd expand(const Eigen::VectorXd& solution) const;
 
   /// Σ blocks (K d − f) of every function that has a constrained component, (2, functions): there it is the force of
@@ -49,6 +52,7 @@ class Assembler {
  private:
   void number_unknowns(Index functions);
   void build_pattern(const ElementBlocks& blocks);
+  void add_prescribed(const ElementBlocks& blocks, Eigen::VectorXd& force) const;
 
   std::vector<Index> first_, function_;  ///< blocks for which the pattern holds
   std::vector<Constraint> constraints_;

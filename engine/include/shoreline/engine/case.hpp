@@ -9,32 +9,31 @@
 #include <vector>
 
 #include "shoreline/boundary/conditions.hpp"
+#include "shoreline/engine/contribution.hpp"
+#include "shoreline/engine/exact_solutions.hpp"
 #include "shoreline/engine/expression.hpp"
+#include "shoreline/engine/fill.hpp"
 
 namespace shoreline {
-
-enum class Plane { strain, stress };
-
-/// What a load step balances: the increment of load alone, or the load less all that is carried already, (E.3).
-enum class Loading { residual, incremental };
-
-/// How the volumes of material points follow from the outline.
-enum class VolumeRule {
-  lattice,  ///< points inside keep the whole sub-cell
-  clipped   ///< a point sits at the centroid of its clipped sub-cell and has its area
-};
 
 struct Case {
   /// @name Conditions as a case states them; scene.hpp turns them into boundary conditions.
   ///@{
   struct Free {};
+  /// The value of the case's exact solution.
+  struct FromExact {};
   struct Traction {
-    std::array<Quantity, 2> value;  ///< [Pa]
+    std::variant<std::array<Quantity, 2>, FromExact> value;  ///< [Pa]
   };
   struct Pressure {
     Quantity value;  ///< [Pa]
   };
-  using Condition = std::variant<Free, Traction, Pressure, Essential>;
+  /// A prescribed displacement: both components, or the one into the body alone (then support.normal_only).
+  struct Displacement {
+    std::variant<std::array<Quantity, 2>, Quantity, FromExact> value;  ///< [m]
+    Essential support;                                                 ///< how it is held; its value is empty
+  };
+  using Condition = std::variant<Free, Traction, Pressure, Essential, Displacement>;
   ///@}
 
   struct Boundary {
@@ -51,25 +50,21 @@ struct Case {
     double poissons_ratio = 0.0;
     std::optional<double> density;  ///< [kg/m³]
   };
-  /// Points on the centres of the sub-cells of every cell.
-  struct LatticeFill {
-    std::array<int, 2> per_cell;
-    VolumeRule volumes;
-  };
-  /// Points on the nodes of a lattice whose outer layer lies on the outline.
-  struct VertexFill {
-    std::array<int, 2> per_cell{};
-    bool adjusted = true;  ///< halves on edges, quarters at corners; else every point has the whole sub-cell
-  };
   struct ListedPoint {
     Vec2 position;  ///< [m]
     double volume;  ///< [m³ per metre of thickness]
   };
-  using MaterialPoints = std::variant<LatticeFill, VertexFill, std::vector<ListedPoint>>;
-  /// An exact solution, functions of the original position and t.
-  struct Exact {
+  using MaterialPoints = std::variant<LatticeFill, VertexFill, PolarFill, std::vector<ListedPoint>>;
+  /// An exact solution by formulas, functions of the original position and t.
+  struct ExactExpressions {
     std::array<Expression, 2> displacement;  ///< [m]
     std::array<Expression, 3> stress;        ///< xx, yy, xy [Pa]
+  };
+  using Exact = std::variant<ThickCylinder, PlateWithHole, ExactExpressions>;
+  /// Asks for the history of the material point or tracking point that is nearest to a place at the start.
+  struct Probe {
+    std::string name;
+    Vec2 position;  ///< [m]
   };
   struct Output {
     int every = 1;  ///< steps between saved ones; the last is always saved
@@ -81,6 +76,7 @@ struct Case {
   Plane plane = Plane::strain;
   Loading loading = Loading::residual;
   int load_steps = 1;
+  std::optional<Expression> load;  ///< load factor, a formula of t, by which plain numbers ramp; else t itself
   Material material;
   Grid grid;
   std::vector<Boundary> boundaries;
@@ -89,7 +85,9 @@ struct Case {
   std::optional<Vec2> gravity;                        ///< [m/s²]
   double ghost = 0.0;                                 ///< γ of the ghost penalty; 0: none is built
   std::optional<Exact> exact;
-  int threads = 0;  ///< 0: all cores
+  std::vector<Probe> probes;
+  double respacing = 0.0;  ///< tracking points are re-spaced where chords differ by more than this factor; 0: never
+  int threads = 0;         ///< 0: all cores
   bool condition_estimate = false;
   Output output;
 };

@@ -6,11 +6,14 @@
 #include <vector>
 
 #include "shoreline/boundary/edge.hpp"
-#include "shoreline/engine/case.hpp"
+#include "shoreline/boundary/respacing.hpp"
 #include "shoreline/engine/element_blocks.hpp"
 #include "shoreline/engine/material_points.hpp"
 
 namespace shoreline {
+
+/// What a load step balances: the increment of load alone, or the load less all that is carried already, (E.3).
+enum class Loading { residual, incremental };
 
 /// What every contribution sees at one load step: the state at its start, on the current curve.
 struct StepState {
@@ -20,14 +23,22 @@ struct StepState {
   const std::vector<Edge>& edges;  ///< one a boundary piece
   Loading loading;
   double t;         ///< at the end of the step
-  double t_before;  ///< at its start
+  double t_before;  ///< at its start; 0 in the first step, before which nothing acts
+  /// (2, functions) coefficients of the increment that pieces prescribe, (D.8) [m]; no columns where none does.
+  const Eigen::Matrix2Xd& prescribed;
 
   /// A load that is prescribed as a function of time: its total (residual loading) or its increment, (E.3).
   template <class Value>
   [[nodiscard]] auto load(Value&& value) const {
-    auto total = value(t);
-    if (loading == Loading::incremental) total -= value(t_before);
-    return total;
+    return loading == Loading::incremental ? increment(value) : value(t);
+  }
+
+  /// What a function of time gains in the step; in the first one, all of its value.
+  template <class Value>
+  [[nodiscard]] auto increment(Value&& value) const {
+    auto gain = value(t);
+    if (t_before > 0.0) gain -= value(t_before);
+    return gain;
   }
 };
 
@@ -35,6 +46,7 @@ struct StepState {
 struct Resultants {
   std::map<std::string, Vec3> loads;
   std::map<std::string, Vec3> reactions;
+  std::map<std::string, double> displacement_errors;  ///< L2 against the exact solution, (N.5) [m^1.5]
 };
 
 /// (Fx, Fy, M about the origin) of a force at a point.
@@ -55,6 +67,10 @@ class Contribution {
   /// Takes note of the increment that the step found, before points and curves move.
   /// @param increment  (2, functions) Δd [m]
   virtual void accept(const StepState& step, const Eigen::Matrix2Xd& increment);
+
+  /// Takes note that a piece has new tracking points: what was remembered at a place is at places(place) of the new
+  /// curve.
+  virtual void respace(int piece, const PlaceMap& places);
 
   /// Adds what acts at the end of the step to the resultants.
   virtual void report(Resultants& resultants) const;

@@ -4,7 +4,9 @@
 #include <functional>
 #include <memory>
 
+#include "shoreline/boundary/conditions.hpp"
 #include "shoreline/engine/contribution.hpp"
+#include "shoreline/engine/expression.hpp"
 #include "shoreline/engine/material.hpp"
 
 namespace shoreline {
@@ -23,9 +25,19 @@ namespace shoreline {
 /// A pressure on one boundary piece, the traction p n, n inward, (B.8).
 [[nodiscard]] std::unique_ptr<Contribution> pressure_on(int piece, std::string piece_name, Pressure pressure);
 
-/// A piece held by the implicit boundary method or Nitsche's, (D.4). @pre condition.method is not grid
+/// A piece held, or moved as prescribed, by the implicit boundary method or Nitsche's, (D.4), (D.9). @pre
+/// condition.method is not grid
 [[nodiscard]] std::unique_ptr<Contribution> essential_on(int piece, std::string piece_name, Essential condition,
                                                          std::shared_ptr<const Material> material);
+
+/// A displacement at a boundary point and time [m].
+using DisplacementOnPiece = std::function<Vec2(const BoundaryPoint&, double)>;
+
+/// Follows the displacement of an essential piece and measures its error, √(∫ |P(u_h − u)|² dS), (N.5). Adds nothing to
+/// the equations.
+/// @param normal_only  P = n nᵀ (roller), else I
+[[nodiscard]] std::unique_ptr<Contribution> boundary_error(int piece, std::string piece_name, bool normal_only,
+                                                           DisplacementOnPiece exact);
 
 /// Ghost penalty over the faces of cells at the boundary, (G.1), for bases that are continuous and of degree 1.
 /// @param gamma  γ > 0

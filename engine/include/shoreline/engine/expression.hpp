@@ -15,6 +15,7 @@ struct PlaceTime {
   Vec2 x = Vec2::Zero();       ///< current position [m]
   Vec2 origin = Vec2::Zero();  ///< original position X, Y [m]
   double t = 0.0;              ///< k/N at the end of step k of N, or [s]
+  double factor = 0.0;         ///< load factor at t, by which plain numbers ramp
 };
 
 /// A formula in x, y, X, Y, t, pi and named constants. Copies share one parser: not to be evaluated by two threads at
@@ -28,13 +29,14 @@ class Expression {
   /// @throws ComputationError with the formula, place and time where its value is not finite
   [[nodiscard]] double operator()(const PlaceTime& at) const;
   [[nodiscard]] const std::string& formula() const;
+  [[nodiscard]] bool uses_place() const;  ///< whether x, y, X or Y occurs in the formula
 
  private:
   struct Parser;
   std::shared_ptr<Parser> parser_;
 };
 
-/// A plain number, which ramps with t in a quasi-static run, or an expression, which is taken as it is.
+/// A plain number, which ramps with the load factor in a quasi-static run, or an expression, which is taken as it is.
 class Quantity {
  public:
   Quantity(double number) : value_(number) {}  // NOLINT(google-explicit-constructor): a number is a quantity

@@ -1,32 +1,72 @@
 #pragma once
 // Material points from the outline.
 
+#include <array>
 #include <span>
 
 #include "shoreline/boundary/region.hpp"
-#include "shoreline/engine/case.hpp"
 #include "shoreline/engine/material_points.hpp"
 
 namespace shoreline {
 
+/// How the volumes of material points follow from the outline.
+enum class VolumeRule {
+  lattice,  ///< points keep the whole sub-cell
+  clipped,  ///< a point has the part of its sub-cell that the body covers
+  equal     ///< every point has the same share of the body's area
+};
+
+/// Points in the sub-cells of every cell.
+struct LatticeFill {
+  std::array<int, 2> per_cell{};
+  VolumeRule volumes = VolumeRule::clipped;
+};
+
+/// Points on the nodes of a lattice whose outer layer lies on the outline.
+struct VertexFill {
+  std::array<int, 2> count{};  ///< sub-cells in a cell size; or, if across, points from side to side of the body
+  bool across = false;
+  VolumeRule volumes = VolumeRule::clipped;
+};
+
+/// Points on the nodes of a lattice in polar coordinates, whose outer layer lies on the outline.
+struct PolarFill {
+  Vec2 centre = Vec2::Zero();   ///< [m]
+  std::array<int, 2> across{};  ///< points along the radius and along the angle, both outer layers included
+  VolumeRule volumes = VolumeRule::clipped;
+};
+
 /// One point in each sub-cell that the body covers, (V.1).
 ///
 /// `clipped`: at the centroid of the covered part, with its area; the volumes sum to the area of the body. `lattice`:
-/// at the centre of the sub-cell where that lies inside, with the whole sub-cell.
+/// at the centre of the sub-cell where that lies inside, with the whole sub-cell. `equal`: there, with |Ω|/N.
 ///
-/// @param curves    that close into loops
-/// @param per_cell  sub-cells of a grid cell in x and y
+/// @param curves  that close into loops
 [[nodiscard]] MaterialPoints fill_lattice(std::span<const SplineCurve> curves, const QuadrilateralGrid& grid,
-                                          const Case::LatticeFill& fill);
+                                          const LatticeFill& fill);
 
 /// Points on the nodes of a lattice anchored at the lower left of the body, whose outer layer lies on the outline,
-/// (V.2). Each has the part of its sub-cell that the body covers (halves on edges, quarters at corners), or the whole
-/// sub-cell.
+/// (V.2). `clipped`: each has the part of its sub-cell that the body covers (halves on edges, quarters at corners);
+/// `lattice`: the whole sub-cell; `equal`: |Ω|/N.
 ///
-/// @throws InvalidArgument if the body is not a whole number of sub-cells wide and high, or if points in it do not
-///         account for its area: then no lattice of this spacing has its outer layer on the outline
+/// @param cell_size  of the grid [m]; not used by a lattice that is given across the body
+/// @throws InvalidArgument if the body is not a whole number of sub-cells wide and high, if there are fewer than 2
+///         points across it, or if points in it do not account for its area: then no lattice of this spacing has its
+///         outer layer on the outline
 [[nodiscard]] MaterialPoints fill_vertex(std::span<const SplineCurve> curves, const Vec2& cell_size,
-                                         const Case::VertexFill& fill);
+                                         const VertexFill& fill);
+
+/// Points on the nodes of a polar lattice in a sector of a ring, a <= r <= b, θ_0 <= θ <= θ_1, that the tracking points
+/// on the outline give; its outer layers lie on the outline and are marked as on it, (V.3). A full ring has no first
+/// and last angle: the angles wrap, from 0 on.
+///
+/// `clipped`: the sector about the node, halved at the ends; the volumes sum to (b² − a²)(θ_1 − θ_0)/2. `lattice`: that
+/// sector whole, also at the ends. `equal`: the same share of the ring's sector.
+///
+/// @throws InvalidArgument with what was found and expected if a tracking point lies on none of the two radii and two
+///         angles (to 1e-6 of b), if the outline bounds another area (by more than 1e-3), or if there are too few
+///         points
+[[nodiscard]] MaterialPoints fill_polar(std::span<const SplineCurve> curves, const PolarFill& fill);
 
 /// Marks points that lie on the outline to within @p tolerance [m]; they belong to the cell on the body's side.
 void mark_outline(const Region& region, double tolerance, MaterialPoints& points);

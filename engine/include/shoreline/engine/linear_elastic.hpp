@@ -1,10 +1,11 @@
 #pragma once
 // Isotropic linear elasticity in plane strain or plane stress.
 
-#include "shoreline/engine/case.hpp"
 #include "shoreline/engine/material.hpp"
 
 namespace shoreline {
+
+enum class Plane { strain, stress };
 
 /// Δσ = D Δε with λ, μ of (M.1); plane stress replaces λ by λ̄ = 2λμ/(λ + 2μ), (M.2); σ_zz = λ(ε_xx + ε_yy) in plane
 /// strain, 0 in plane stress.

@@ -33,12 +33,20 @@ class LinearSolver {
   /// Orders (AMD) and analyses a pattern; it holds for every later matrix of the same pattern.
   void analyse(const SparseMatrix& matrix);
 
-  /// Factorises a matrix whose pattern was analysed.
-  /// @throws SingularMatrix if a pivot of the scaled matrix is below 1e-15
-  void factorize(const SparseMatrix& matrix);
+  /// Factorises a matrix whose pattern was analysed. With a shift s > 0 the factors are those of A + s I, A the scaled
+  /// matrix: refined() steps with them towards a solution even where A is singular, (L.5).
+  /// @throws SingularMatrix if a pivot of the scaled matrix is below 1e-15 (of a pivoted LU below 1e-12 of the
+  /// largest);
+  ///         with a shift, if one is not positive
+  void factorize(const SparseMatrix& matrix, double shift = 0.0);
 
   /// @pre factorize was called
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& right_hand_side) const;
+
+  /// One step of iterative refinement: @p x and what the factors answer to the rest of the right side. solve() is two
+  /// of them from zero.
+  /// @pre factorize was called
+  [[nodiscard]] Eigen::VectorXd refined(const Eigen::VectorXd& right_hand_side, const Eigen::VectorXd& x) const;
 
   /// Smallest pivot of the scaled matrix; 0 where Cholesky fails.
   [[nodiscard]] double smallest_pivot() const;

@@ -43,6 +43,9 @@ struct PointSupports {
   [[nodiscard]] Index cells() const { return static_cast<Index>(cell.size()); }
 };
 
+/// @throws ComputationError naming the first point outside the grid, its position, and how many there are
+void check_inside(const Basis& basis, const MaterialPoints& points);
+
 /// Finds the cells of all points and evaluates the basis there.
 ///
 /// @param reuse  the supports of the step before, whose memory serves again

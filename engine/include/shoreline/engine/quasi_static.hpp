@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 
+#include "shoreline/boundary/displacement_fit.hpp"
 #include "shoreline/engine/clock.hpp"
 #include "shoreline/engine/scene.hpp"
 
@@ -19,14 +20,16 @@ struct RunRecord {
   std::vector<std::string> warnings;
   std::optional<double> condition_estimate;  ///< of the last step's scaled matrix, where asked for
   double extended_share = 0.0;               ///< largest share of a piece served by a neighbour's polynomials
-  double largest_increment = 0.0;            ///< max |Δd| of the last step [m]
+  std::map<std::string, FitError>
+      fit_errors;                  ///< by piece that prescribes a displacement, summed over the steps: a bound
+  double largest_increment = 0.0;  ///< max |Δd| of the last step [m]
   long factorisations = 0;
   long analyses = 0;
 };
 
 struct QuasiStaticOptions {
   bool condition_estimate = false;
-  /// Called with the number of a completed step, when points and curves have moved.
+  /// Called with the number of a completed step, when points and curves have moved and can go on.
   std::function<void(int)> after_step = [](int) {};
 };
 
@@ -36,8 +39,9 @@ struct QuasiStaticOptions {
 /// Step k of N brings the loads to t = k/N. Residual loading balances the whole load against the stresses and the
 /// supports' reactions carried so far; incremental loading adds increments and never looks back.
 ///
-/// @throws ComputationError with step, place and remedy: no unique solution, a point or curve outside the grid, a value
-///         that is not finite
+/// @throws ComputationError with step, place and remedy: no unique solution, a value that is not finite; and, after the
+///         motion of a step that record.steps then counts, a point or curve outside the grid, a curve that crosses
+///         itself or another
 void run_load_steps(Scene& scene, const QuasiStaticOptions& options, RunRecord& record);
 
 }  // namespace shoreline

@@ -8,7 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "shoreline/bases/types.hpp"
+#include "shoreline/boundary/displacement_fit.hpp"
+#include "shoreline/engine/probes.hpp"
 
 namespace shoreline {
 
@@ -29,6 +30,13 @@ struct SavedStep {
   std::vector<Curve> curves;
 };
 
+/// The deformed radius of a piece that was an arc about the origin, (N.6).
+struct RadiusError {
+  double mean = 0.0;           ///< along the deformed piece [m]
+  double exact = 0.0;          ///< [m]
+  double mean_relative = 0.0;  ///< mean of |r_h − r|/r
+};
+
 /// Norms of the error against the exact solution, (N.1)–(N.4). A relative error whose exact value vanishes is missing.
 struct ErrorNorms {
   struct Component {
@@ -40,7 +48,8 @@ struct ErrorNorms {
   std::array<Component, 2> displacement;  ///< u, v [m]
   std::optional<double> stress_l2_relative;
   std::array<Component, 3> stress;                         ///< xx, yy, xy [Pa]
-  std::map<std::string, double> boundary_l2_displacement;  ///< per essential piece [m]
+  std::map<std::string, double> boundary_l2_displacement;  ///< per essential piece [m^1.5]
+  std::map<std::string, RadiusError> boundary_radius;      ///< per arc of a thick cylinder
 };
 
 /// Everything in summary.json.
@@ -64,6 +73,8 @@ struct Summary {
   std::vector<std::pair<std::string, double>> timings;  ///< [s], in the order in which the phases first ran
   std::map<std::string, Vec3> reactions;                ///< Fx, Fy, M about the origin, per metre of thickness
   std::map<std::string, Vec3> loads;
+  std::map<std::string, FitError> displacement_fit;  ///< per piece with a prescribed displacement
+  std::vector<Probe> probes;
   std::optional<double> condition_estimate;
   std::vector<std::string> warnings;
   double extended_share = 0.0;  ///< largest share of a piece that lies in cells without material points

@@ -21,11 +21,16 @@ namespace shoreline {
 ///       points/volume                 (n) [m^2], m³ per metre of thickness
 ///       curves/NAME/points            (k, 3) tracking points [m]
 ///       curves/NAME/polyline          (m, 3) the spline, sampled [m]
+///     probes/NAME/t                   (steps + 1), whatever steps are saved above
+///     probes/NAME/position            (steps + 1, 2) [m]
+///     probes/NAME/displacement        (steps + 1, 2) [m]
+///     probes/NAME/stress              (steps + 1, 4) xx, yy, xy, zz [Pa]; of material points alone
 ///     grid/edges                      (e, 4) x, y of both ends [m]
 ///     connectivity                    the cells of results.xdmf
 ///
-/// NAME is the boundary's, with '/', ':', '|', '%' and control characters as %XX; its attribute "name" is the name
-/// itself. The file is closed between two steps: it can be read while the run goes on, and after it was killed.
+/// NAME is that of the boundary or probe, with '/', ':', '|', '%' and control characters as %XX; its attribute "name"
+/// is the name itself. The file is closed between two steps: it can be read while the run goes on, and after it was
+/// killed.
 class ResultsWriter {
  public:
   /// Creates @p folder and an empty results.h5 in it. Removes what an earlier run left there of summary.json,
@@ -44,13 +49,18 @@ class ResultsWriter {
   /// @throws OutputError with path and reason
   void write(const SavedStep& step);
 
+  /// Appends to results.h5 what the history of every probe has gained since the call before.
+  /// @throws OutputError with path and reason
+  void append(const std::vector<Probe>& probes);
+
  private:
   void write_index();
 
   std::filesystem::path folder_;
-  int saved_ = 0;            ///< steps in results.h5
-  int indexed_ = 0;          ///< of them in results.xdmf
-  std::string point_grids_;  ///< of results.xdmf, one a step
+  int saved_ = 0;             ///< steps in results.h5
+  int indexed_ = 0;           ///< of them in results.xdmf
+  std::size_t recorded_ = 0;  ///< states of every probe in results.h5
+  std::string point_grids_;   ///< of results.xdmf, one a step
   std::string curve_grids_;
 };
 

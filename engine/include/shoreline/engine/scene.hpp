@@ -7,9 +7,11 @@
 
 #include "shoreline/boundary/outline.hpp"
 #include "shoreline/engine/assembler.hpp"
+#include "shoreline/engine/case.hpp"
 #include "shoreline/engine/contribution.hpp"
 #include "shoreline/engine/error_norms.hpp"
 #include "shoreline/engine/material.hpp"
+#include "shoreline/engine/probes.hpp"
 
 namespace shoreline {
 
@@ -17,6 +19,9 @@ namespace shoreline {
 struct BoundaryPiece {
   Piece piece;
   Condition condition;
+  /// The curve at the start: the material at (span, u) of the curve now was at (span, u) of this one. Conditions share
+  /// it.
+  std::shared_ptr<SplineCurve> original{};
 };
 
 struct Scene {
@@ -28,7 +33,9 @@ struct Scene {
   std::vector<std::unique_ptr<Contribution>> contributions;
   Loading loading = Loading::residual;
   int load_steps = 1;
+  double respacing = 0.0;  ///< ratio of chords beyond which tracking points are re-spaced; 0: never
   std::optional<ExactSolution> exact;
+  std::vector<Probe> probes;  ///< with their history, to which load steps add
 };
 
 /// Turns a case into a scene.
@@ -39,10 +46,12 @@ struct Scene {
 ///
 /// Along every segment of such a piece, the functions of its cell that do not vanish there.
 ///
+/// @param prescribed  coefficients of what pieces prescribe, (2, functions) [m]; no columns where none does
 /// @throws InvalidArgument naming piece and position where a piece leaves the grid lines, or where a roller's line is
 /// not
 ///         parallel to an axis
 [[nodiscard]] std::vector<Constraint> grid_constraints(const Basis& basis, const std::vector<BoundaryPiece>& boundary,
-                                                       const std::vector<Edge>& edges);
+                                                       const std::vector<Edge>& edges,
+                                                       const Eigen::Matrix2Xd& prescribed);
 
 }  // namespace shoreline
