@@ -5,26 +5,13 @@
 
 PROGRAM is the built `shoreline`; without it, the one that ./run builds. Draws band.png beside this script, too.
 """
-import json
 import pathlib
-import subprocess
 import sys
-import tempfile
 
-HERE = pathlib.Path(__file__).resolve().parent
-PROGRAM = sys.argv[1] if len(sys.argv) > 1 else HERE.parents[1] / "build/release/engine/shoreline"
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1]))
+from runs import HERE, run, row, table  # beside the folders of the examples
+
 PIECES = ("bottom", "right", "left")
-
-
-def run(case, settings):
-    """Summary of one run, or None where it fails."""
-    with tempfile.TemporaryDirectory() as folder:
-        sets = [part for key, value in settings.items() for part in ("--set", f"{key}={json.dumps(value)}")]
-        command = [PROGRAM, "run", HERE / case, "--output", folder, "--quiet", "--set", "output.pictures=false", *sets]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        if done.returncode == 2:
-            sys.exit(done.stderr)
-        return json.loads((pathlib.Path(folder) / "summary.json").read_text()) if done.returncode == 0 else None
 
 
 def through_outer_points(n):
@@ -44,22 +31,12 @@ def number(value):
     return "-" if value is None else f"{value:.3e}"
 
 
-def row(*cells):
-    print("| " + " | ".join(str(c) for c in cells) + " |")
-
-
-def table(*head):
-    print()
-    row(*head)
-    row(*["---:"] * len(head))
-
-
 def stress(summary, component):
-    return number(summary and summary["errors"]["stress"]["mean_relative"][component])
+    return number(None if isinstance(summary, str) else summary["errors"]["stress"]["mean_relative"][component])
 
 
 def displacement(summary, kind, component):
-    return number(summary and summary["errors"]["displacement"][kind][component])
+    return number(None if isinstance(summary, str) else summary["errors"]["displacement"][kind][component])
 
 
 print("### aligned.json: points")
@@ -70,7 +47,7 @@ for n in range(1, 9):
 
 print("\n### implicit.json: points, band 1e-6")
 table("points a cell", "R_σyy, volumes adjusted", "R_σyy, whole volumes", "A_v [m], adjusted", "A_v [m], whole")
-for n in (1, 2, 4, 8, 16, 32):
+for n in (2, 4, 8, 16, 32):
     adjusted = run("implicit.json", through_outer_points(n))
     whole = run("implicit.json", through_outer_points(n) | {"material_points.volumes": "lattice"})
     row(f"{n}²", stress(adjusted, 1), stress(whole, 1), displacement(adjusted, "mean_absolute", 1),
@@ -90,10 +67,11 @@ for angle in (45, 60):
         for k in powers:
             s = run(f"rotated_{angle}.json",
                     band(10.0**-k, method) | {"ghost": 0, "diagnostics.condition_estimate": True})
+            failed = isinstance(s, str)
             row(method, f"1e-{k}", stress(s, 1), displacement(s, "mean_relative", 1),
-                number(s and s["condition_estimate"]),
-                "failed" if s is None else "no, LU" if s["warnings"] else "yes")
-            if s:
+                "-" if failed else number(s["condition_estimate"]),
+                "failed" if failed else "no, LU" if s["warnings"] else "yes")
+            if not failed:
                 drawn.setdefault((angle, method), []).append(
                     (10.0**-k, s["errors"]["stress"]["mean_relative"][1], s["condition_estimate"]))
 
