@@ -83,6 +83,46 @@ void take_over(const RunRecord& record, double total, Summary& summary) {
   summary.counters = {{"factorisations", record.factorisations}, {"analyses", record.analyses}};
 }
 
+/// What a run puts into its output folder as it goes: saved steps and probes.
+class Saving {
+ public:
+  Saving(const Case& problem, const std::filesystem::path& folder, const Scene& scene, RunRecord& record)
+      : every_(problem.output.every),
+        scene_(scene),
+        record_(record),
+        writer_(folder, problem.title, scene.basis->grid()) {
+    save(0);
+  }
+
+  void after_step(int step) {
+    if (step % every_ == 0 || step == scene_.load_steps)
+      save(step);
+    else
+      save_probes();
+  }
+
+  /// After a failure: the last step that was computed, if it was not to be saved.
+  void rescue() {
+    if (record_.steps > last_) save(record_.steps);
+  }
+
+ private:
+  void save(int step) {
+    record_.phases.time("output", [&] { writer_.write(saved_step(scene_, step)); });
+    last_ = step;
+    save_probes();
+  }
+  void save_probes() {
+    record_.phases.time("output", [&] { writer_.append(scene_.probes); });
+  }
+
+  int every_;
+  const Scene& scene_;
+  RunRecord& record_;
+  ResultsWriter writer_;
+  int last_ = 0;
+};
+
 Summary start(const Case& problem, const Scene& scene, int threads) {
   Summary summary;
   summary.title = problem.title;
@@ -108,28 +148,11 @@ Summary run(const Case& problem, const RunOptions& options) {
   Scene scene = record.phases.time("setup", [&] { return build_scene(problem); });
   Summary summary = start(problem, scene, threads);
 
-  ResultsWriter writer(options.output, problem.title, scene.basis->grid());
-  int last_saved = 0;
-  const auto save = [&](int step) {
-    record.phases.time("output", [&] { writer.write(saved_step(scene, step)); });
-    last_saved = step;
-  };
-  save(0);
-  writer.append(scene.probes);
+  Saving saving(problem, options.output, scene, record);
   Progress progress(problem.load_steps, options.quiet);
   const auto after_step = [&](int step) {
-    record.phases.time("output", [&] { writer.append(scene.probes); });
-    if (step % problem.output.every == 0 || step == problem.load_steps) save(step);
+    saving.after_step(step);
     if (step < problem.load_steps) progress.begin(step + 1);
-  };
-  const auto compute = [&] {
-    try {
-      run_load_steps(scene, {.condition_estimate = problem.condition_estimate, .after_step = after_step}, record);
-    } catch (const ComputationError&) {
-      if (record.steps > last_saved) save(record.steps);
-      writer.append(scene.probes);
-      throw;
-    }
   };
   const auto finish = [&](bool completed, const std::string& message) {
     summary.completed = completed;
@@ -144,11 +167,14 @@ Summary run(const Case& problem, const RunOptions& options) {
   };
   try {
     progress.begin(1);
-    compute();
-    if (scene.exact) {
-      const bool radii = std::holds_alternative<ThickCylinder>(*problem.exact);
+    run_load_steps(scene, {.condition_estimate = problem.condition_estimate, .after_step = after_step}, record);
+    const bool radii = problem.exact && std::holds_alternative<ThickCylinder>(*problem.exact);
+    if (scene.exact)
       summary.errors = record.phases.time("errors", [&] { return errors_of(scene, record, radii, 1.0); });
-    }
+  } catch (const ComputationError& error) {
+    saving.rescue();
+    finish(false, error.what());
+    throw;
   } catch (const std::exception& error) {
     finish(false, error.what());
     throw;
