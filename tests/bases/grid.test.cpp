@@ -4,12 +4,24 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "../random.hpp"
+#include "meshes.hpp"
+#include "shoreline/bases/powell_sabin_refinement.hpp"
+#include "shoreline/bases/triangle_grid.hpp"
 
 using namespace shoreline;
 using Catch::Matchers::WithinRel;
 
 namespace {
+
+/// Rectangles, triangles, or the sub-triangles of a Powell-Sabin refinement.
+std::unique_ptr<const Grid> any_grid(test::Random& random) {
+  const std::vector<test::NamedMesh> meshes = test::meshes(random);
+  const TriangleMesh& mesh = meshes[static_cast<std::size_t>(random.whole(0, 14))].mesh;
+  const Index kind = random.whole(0, 2);
+  if (kind == 0) return std::make_unique<QuadrilateralGrid>(random.grid());
+  if (kind == 1) return std::make_unique<TriangleGrid>(mesh);
+  return std::make_unique<TriangleGrid>(powell_sabin_refinement(mesh), powell_sabin_parts);
+}
 
 double area(const std::vector<Vec2>& polygon) {
   double twice = 0.0;
@@ -71,31 +83,13 @@ TEST_CASE("cells are counter-clockwise and tile the bounds; size follows from ar
 TEST_CASE("the polygon of the located cell holds the point, whatever the hint", "[bases][grid]") {
   test::Random random(2);
   for (int draw = 0; draw < 500; ++draw) {
-    const auto quadrilaterals = random.grid();
-    const Grid& grid = quadrilaterals;
-    const Vec2 x = random.in(grid.bounds());
+    const auto drawn = any_grid(random);
+    const Grid& grid = *drawn;
+    const std::vector<Vec2> polygon = grid.polygon(random.whole(0, grid.cells() - 1));
+    const Vec2 x = test::inside({polygon[0], polygon[1], polygon[2]}, random);
     const auto cell = grid.locate(x, random.whole(0, grid.cells() - 1));
     REQUIRE(cell);
     CHECK(inside(grid.polygon(*cell), x));
-  }
-}
-
-TEST_CASE("a grid covers the boxes that lie in it, and says so of no other", "[bases][grid]") {
-  test::Random random(11);
-  for (int draw = 0; draw < 50; ++draw) {
-    const QuadrilateralGrid grid = random.grid();
-    const Box all = grid.bounds();
-    CHECK(grid.covers(all));
-    const Vec2 a = random.in(all);
-    const Vec2 b = random.in(all);
-    const Box within{a.cwiseMin(b), a.cwiseMax(b)};
-    CHECK(grid.covers(within));
-    for (int axis = 0; axis < 2; ++axis) {
-      const Vec2 out = 1e-9 * Vec2::Unit(axis);
-      CHECK_FALSE(grid.covers({all.lower - out, within.upper}));
-      CHECK_FALSE(grid.covers({within.lower, all.upper + out}));
-    }
-    CHECK_FALSE(grid.covers({within.lower, Vec2(std::nan(""), within.upper.y())}));
   }
 }
 
@@ -129,8 +123,8 @@ TEST_CASE("a face has its cell on the left, its neighbour on the right, and both
           "[bases][grid]") {
   test::Random random(4);
   for (int draw = 0; draw < 20; ++draw) {
-    const auto quadrilaterals = random.grid();
-    const Grid& grid = quadrilaterals;
+    const auto drawn = any_grid(random);
+    const Grid& grid = *drawn;
     for (Index cell = 0; cell < grid.cells(); ++cell)
       for (const Face& face : grid.faces(cell)) {
         CHECK(face.cell == cell);
@@ -146,8 +140,8 @@ TEST_CASE("a face has its cell on the left, its neighbour on the right, and both
 TEST_CASE("every edge of a cell that meets a box lies on one of the lines near the box", "[bases][grid]") {
   test::Random random(5);
   for (int draw = 0; draw < 200; ++draw) {
-    const auto quadrilaterals = random.grid();
-    const Grid& grid = quadrilaterals;
+    const auto drawn = any_grid(random);
+    const Grid& grid = *drawn;
     const Vec2 x = random.in(grid.bounds());
     const Vec2 y = draw % 2 == 0 ? random.in(grid.bounds()) : x;
     const Box box{x.cwiseMin(y), x.cwiseMax(y)};

@@ -1,0 +1,143 @@
+#include "shoreline/bases/bspline.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "shoreline/bases/error.hpp"
+
+namespace shoreline {
+namespace {
+
+std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+
+/// Open uniform knot @p number over @p spans spans of length 1.
+double knot(Index number, Index spans, int degree) { return std::clamp(number - degree, Index{0}, spans); }
+
+/// Value and first two derivatives of a polynomial with coefficients c_0, c_1, … at ξ.
+template <class Row>
+std::array<double, 3> taylor(const Row& c, double xi) {
+  std::array<double, 3> d{0.0, 0.0, 0.0};
+  for (Eigen::Index k = c.size() - 1; k >= 0; --k) {
+    d[2] = d[2] * xi + 2.0 * d[1];
+    d[1] = d[1] * xi + d[0];
+    d[0] = d[0] * xi + c[k];
+  }
+  return d;
+}
+
+}  // namespace
+
+BSplineBasis::BSplineBasis(QuadrilateralGrid grid, int degree) : grid_(std::move(grid)), degree_(degree) {
+  if (degree < 1 || degree > 3)
+    throw InvalidArgument("BSplineBasis: expected a degree from 1 to 3, got " + std::to_string(degree));
+  column_ = all_spans(grid_.columns(), degree);
+  row_ = all_spans(grid_.rows(), degree);
+}
+
+/// Cox's and de Boor's recursion for polynomials in ξ = x − span.
+std::vector<BSplineBasis::SpanPolynomials> BSplineBasis::all_spans(Index spans, int degree) {
+  std::vector<SpanPolynomials> all;
+  for (Index s = 0; s < spans; ++s) {
+    SpanPolynomials n = SpanPolynomials::Zero(degree + 1, degree + 1);
+    n(0, 0) = 1.0;
+    for (int k = 1; k <= degree; ++k) {
+      const SpanPolynomials lower = n;
+      n.setZero();
+      for (int a = 0; a < k; ++a) {  // lower function a lives on knots left … right
+        const double left = knot(s + degree - k + 1 + a, spans, degree);
+        const double right = knot(s + degree + 1 + a, spans, degree);
+        for (int power = 0; power < k; ++power) {
+          const double c = lower(a, power) / (right - left);
+          n(a, power) += c * (right - s);
+          n(a, power + 1) -= c;
+          n(a + 1, power) += c * (s - left);
+          n(a + 1, power + 1) += c;
+        }
+      }
+    }
+    all.push_back(n);
+  }
+  return all;
+}
+
+ShortIndices BSplineBasis::functions_of(Index cell) const {
+  const Index i = cell % grid_.columns();
+  const Index j = cell / grid_.columns();
+  ShortIndices functions(functions_per_cell());
+  for (Index b = 0, k = 0; b <= degree_; ++b)
+    for (Index a = 0; a <= degree_; ++a, ++k) functions[k] = i + a + (j + b) * (grid_.columns() + degree_);
+  return functions;
+}
+
+Vec2 BSplineBasis::control_point(Index function) const {
+  const auto greville = [&](Index i, Index spans) {
+    double sum = 0.0;
+    for (int k = 1; k <= degree_; ++k) sum += knot(i + k, spans, degree_);
+    return sum / degree_;
+  };
+  const Index columns = grid_.columns() + degree_;
+  return grid_.corner(0) + grid_.spacing().cwiseProduct(Vec2(greville(function % columns, grid_.columns()),
+                                                             greville(function / columns, grid_.rows())));
+}
+
+template <int P>
+void BSplineBasis::evaluate_degree(Index cell, std::span<const Vec2> x, double* value, double* gradient) const {
+  const SpanPolynomials& column = column_[at(cell % grid_.columns())];
+  const SpanPolynomials& row = row_[at(cell / grid_.columns())];
+  const Vec2 corner = grid_.corner(cell);
+  const Vec2 inverse = grid_.spacing().cwiseInverse();
+  Eigen::Matrix<double, P + 1, P + 1> cx = column;
+  Eigen::Matrix<double, P + 1, P + 1> cy = row;
+  for (const Vec2& point : x) {
+    const Vec2 local = (point - corner).cwiseProduct(inverse);
+    std::array<std::array<double, P + 1>, 2> f{};
+    std::array<std::array<double, P + 1>, 2> d{};
+    for (int a = 0; a <= P; ++a) {
+      double fx = 0.0, dx = 0.0, fy = 0.0, dy = 0.0;
+      for (int k = P; k >= 0; --k) {
+        dx = dx * local.x() + fx;
+        fx = fx * local.x() + cx(a, k);
+        dy = dy * local.y() + fy;
+        fy = fy * local.y() + cy(a, k);
+      }
+      f[0][at(a)] = fx;
+      f[1][at(a)] = fy;
+      d[0][at(a)] = dx * inverse.x();
+      d[1][at(a)] = dy * inverse.y();
+    }
+    for (std::size_t b = 0; b <= P; ++b)
+      for (std::size_t a = 0; a <= P; ++a) {
+        *value++ = f[0][a] * f[1][b];
+        *gradient++ = d[0][a] * f[1][b];
+        *gradient++ = f[0][a] * d[1][b];
+      }
+  }
+}
+
+void BSplineBasis::evaluate(Index cell, std::span<const Vec2> x, double* value, double* gradient) const {
+  switch (degree_) {
+    case 1:
+      return evaluate_degree<1>(cell, x, value, gradient);
+    case 2:
+      return evaluate_degree<2>(cell, x, value, gradient);
+    default:
+      return evaluate_degree<3>(cell, x, value, gradient);
+  }
+}
+
+ShortCurvatures BSplineBasis::curvatures(Index cell, const Vec2& x) const {
+  const Vec2 inverse = grid_.spacing().cwiseInverse();
+  const Vec2 local = (x - grid_.corner(cell)).cwiseProduct(inverse);
+  ShortCurvatures second(3, functions_per_cell());
+  for (Eigen::Index b = 0, k = 0; b <= degree_; ++b)
+    for (Eigen::Index a = 0; a <= degree_; ++a, ++k) {
+      const auto in_x = taylor(column_[at(cell % grid_.columns())].row(a), local.x());
+      const auto in_y = taylor(row_[at(cell / grid_.columns())].row(b), local.y());
+      second.col(k) << in_x[2] * in_y[0] * inverse.x() * inverse.x(), in_x[0] * in_y[2] * inverse.y() * inverse.y(),
+          in_x[1] * in_y[1] * inverse.prod();
+    }
+  return second;
+}
+
+}  // namespace shoreline

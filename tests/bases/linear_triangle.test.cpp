@@ -1,0 +1,72 @@
+#include "shoreline/bases/linear_triangle.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "meshes.hpp"
+#include "projection.hpp"
+
+using namespace shoreline;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+TEST_CASE("each linear function is one at its vertex and zero at the others", "[bases][linear_triangle]") {
+  test::Random random(1);
+  for (const auto& [name, mesh] : test::meshes(random)) {
+    const LinearTriangleBasis basis(mesh);
+    CHECK(basis.functions() == static_cast<Index>(mesh.vertex.size()));
+    for (Index cell = 0; cell < basis.grid().cells(); ++cell)
+      for (Eigen::Index k = 0; k < 3; ++k) {
+        const Index vertex = mesh.triangle[static_cast<std::size_t>(cell)][static_cast<std::size_t>(k)];
+        const Support support = basis.support(cell, mesh.vertex[static_cast<std::size_t>(vertex)]);
+        CHECK(support.function[k] == vertex);
+        CHECK_THAT((support.value - Eigen::Vector3d::Unit(k)).norm(), WithinAbs(0.0, 1e-12));
+        CHECK(basis.control_point(vertex) == mesh.vertex[static_cast<std::size_t>(vertex)]);
+      }
+  }
+}
+
+TEST_CASE("linear functions are not negative in their triangle and reproduce linear fields",
+          "[bases][linear_triangle]") {
+  test::Random random(2);
+  for (const auto& [name, mesh] : test::meshes(random)) {
+    CAPTURE(name);
+    const LinearTriangleBasis basis(mesh);
+    const Vec2 slope = random.vector();
+    for (Index cell = 0; cell < basis.grid().cells(); ++cell) {
+      const Vec2 x = test::inside(corners(mesh, cell), random);
+      const Support support = basis.support(cell, x);
+      CHECK(support.value.minCoeff() >= -1e-12);
+      CHECK_THAT(support.value.sum(), WithinAbs(1.0, 1e-14));
+      double field = 0.0;
+      Vec2 gradient = Vec2::Zero();
+      for (Eigen::Index a = 0; a < 3; ++a) {
+        field += support.value[a] * slope.dot(basis.control_point(support.function[a]));
+        gradient += support.gradient.col(a) * slope.dot(basis.control_point(support.function[a]));
+      }
+      CHECK_THAT(field, WithinAbs(slope.dot(x), 1e-11));
+      CHECK_THAT((gradient - slope).norm(), WithinAbs(0.0, 1e-9));
+      CHECK(basis.curvatures(cell, x).norm() == 0.0);
+    }
+  }
+}
+
+TEST_CASE("the projection of sin πx sin πy onto linear triangles converges with order two",
+          "[bases][linear_triangle]") {
+  const std::vector<double> published{2.768e-2, 6.593e-3, 1.618e-3, 4.023e-4};
+  std::vector<double> error;
+  for (const Index squares : {4, 8, 16, 32}) {
+    const Vec2 spacing = Vec2::Constant(1.0 / squares);
+    error.push_back(
+        test::project_sines(LinearTriangleBasis(test::lattice(squares, squares, TrianglePattern::diagonal, spacing)))
+            .value);
+  }
+  CAPTURE(error);
+  for (std::size_t k = 0; k < error.size(); ++k) CHECK_THAT(error[k], WithinRel(published[k], 0.001));
+  CHECK_THAT(std::log2(error[2] / error[3]), WithinAbs(2.0, 0.05));
+}
+
+TEST_CASE("a mesh that breaks a rule carries no linear basis", "[bases][linear_triangle]") {
+  TriangleMesh mesh = test::lattice(2, 2, TrianglePattern::diagonal);
+  mesh.vertex.emplace_back(9.0, 9.0);
+  CHECK_THROWS_AS(LinearTriangleBasis(mesh), MeshError);
+}
