@@ -1,12 +1,13 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <string>
 
 #include "mesh_edges.hpp"
-#include "message.hpp"
 
 namespace shoreline {
 namespace {
@@ -19,6 +20,14 @@ double extent(const TriangleMesh& mesh) {
   const Box box = bounds(mesh);
   return (box.upper - box.lower).norm();
 }
+
+std::string text(double number) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.6g", number);
+  return buffer;
+}
+
+std::string text(const Vec2& x) { return "(" + text(x.x()) + ", " + text(x.y()) + ")"; }
 
 /// Keeps the first breach of a rule and counts the others.
 class Breaches {
@@ -162,7 +171,7 @@ void check_edges(const TriangleMesh& mesh) {
   std::vector<Index> on_border;
   for (const HalfEdge& edge : border) on_border.insert(on_border.end(), {edge.low, edge.high});
   std::ranges::sort(on_border);
-  on_border.erase(std::ranges::unique(on_border).begin(), on_border.end());
+  on_border.erase(std::unique(on_border.begin(), on_border.end()), on_border.end());
   on_border = swept(mesh, std::move(on_border));
   const double tolerance = apart * extent(mesh);
   Breaches hanging;

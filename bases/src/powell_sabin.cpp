@@ -85,7 +85,7 @@ void PowellSabinBasis::evaluate(Index cell, std::span<const Vec2> x, double* val
                           2 * s};
     Vec2 g[6];
     for (int c = 0; c < 6; ++c) g[c] = fr[c] * piece.slope_r + fs[c] * piece.slope_z;
-    for (int q = 0; q < 3; ++q) {
+    for (Eigen::Index q = 0; q < 3; ++q) {
       const auto o = piece.ordinate.row(q);
       value[q] = o[0] * f[0] + o[1] * f[1] + o[2] * f[2];
       value[3 + q] = o[3] * f[3] + o[4] * f[4];

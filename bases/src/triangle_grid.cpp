@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 #include <tuple>
 
 namespace shoreline {
@@ -56,6 +57,9 @@ bool overlap(const Box& a, const Box& b) {
 }  // namespace
 
 TriangleGrid::TriangleGrid(TriangleMesh mesh, int parts) : mesh_(std::move(mesh)), parts_(parts) {
+  if (parts < 1 || cells() % parts != 0)
+    throw InvalidArgument("TriangleGrid: parts must divide the number of triangles, " + std::to_string(cells()) +
+                          ", got " + std::to_string(parts));
   check(mesh_, parts == 1 ? smallest_allowed_angle : 0.0);
   bounds_ = shoreline::bounds(mesh_);
   neighbour_ = neighbours(mesh_);
@@ -181,7 +185,7 @@ std::vector<Line> TriangleGrid::lines_near(const Box& box) const {
           numbers.insert(numbers.end(), line_of_[at(cell)].begin(), line_of_[at(cell)].end());
       }
   std::ranges::sort(numbers);
-  numbers.erase(std::ranges::unique(numbers).begin(), numbers.end());
+  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   std::vector<Line> lines;
   lines.reserve(numbers.size());
   for (const Index number : numbers) lines.push_back(lines_[at(number)]);

@@ -7,6 +7,7 @@
 #include "shoreline/bases/powell_sabin_refinement.hpp"
 
 using namespace shoreline;
+using Catch::Matchers::Contains;
 using Catch::Matchers::WithinRel;
 
 namespace {
@@ -144,6 +145,8 @@ TEST_CASE("a mesh that breaks a rule makes no grid; parts may have any angle", "
   TriangleMesh mesh = test::lattice(2, 2, TrianglePattern::diagonal, {1.0, std::tan(0.9 * test::degree)});
   CHECK_THROWS_AS(TriangleGrid(mesh), MeshError);
   CHECK_NOTHROW(TriangleGrid(mesh, 2));
+  CHECK_THROWS_WITH(TriangleGrid(mesh, 3), Contains("divide") && Contains("8, got 3"));
+  CHECK_THROWS_WITH(TriangleGrid(mesh, 0), Contains("8, got 0"));
   std::swap(mesh.triangle[0][0], mesh.triangle[0][1]);
   CHECK_THROWS_AS(TriangleGrid(mesh, 2), MeshError);
 }

@@ -13,6 +13,7 @@ class TriangleGrid final : public Grid {
  public:
   /// @param parts  triangles t with the same t / parts are the parts of one main triangle, whose size theirs is
   /// @throws MeshError by check(mesh); angles are checked where triangles are main triangles (parts = 1)
+  /// @throws InvalidArgument unless parts is positive and divides the number of triangles
   explicit TriangleGrid(TriangleMesh mesh, int parts = 1);
 
   [[nodiscard]] Index cells() const override { return static_cast<Index>(mesh_.triangle.size()); }
