@@ -87,30 +87,25 @@ void BSplineBasis::evaluate_degree(Index cell, std::span<const Vec2> x, double* 
   const SpanPolynomials& row = row_[at(cell / grid_.columns())];
   const Vec2 corner = grid_.corner(cell);
   const Vec2 inverse = grid_.spacing().cwiseInverse();
-  Eigen::Matrix<double, P + 1, P + 1> cx = column;
-  Eigen::Matrix<double, P + 1, P + 1> cy = row;
+  using Values = Eigen::Matrix<double, P + 1, 1>;
+  const Eigen::Matrix<double, P + 1, P + 1> cx = column;
+  const Eigen::Matrix<double, P + 1, P + 1> cy = row;
   for (const Vec2& point : x) {
     const Vec2 local = (point - corner).cwiseProduct(inverse);
-    std::array<std::array<double, P + 1>, 2> f{};
-    std::array<std::array<double, P + 1>, 2> d{};
-    for (int a = 0; a <= P; ++a) {
-      double fx = 0.0, dx = 0.0, fy = 0.0, dy = 0.0;
-      for (int k = P; k >= 0; --k) {
-        dx = dx * local.x() + fx;
-        fx = fx * local.x() + cx(a, k);
-        dy = dy * local.y() + fy;
-        fy = fy * local.y() + cy(a, k);
-      }
-      f[0][at(a)] = fx;
-      f[1][at(a)] = fy;
-      d[0][at(a)] = dx * inverse.x();
-      d[1][at(a)] = dy * inverse.y();
+    Values fx = cx.col(P), fy = cy.col(P), dx = Values::Zero(), dy = Values::Zero();
+    for (int k = P - 1; k >= 0; --k) {  // Horner's scheme for all functions of the span at once
+      dx = dx * local.x() + fx;
+      fx = fx * local.x() + cx.col(k);
+      dy = dy * local.y() + fy;
+      fy = fy * local.y() + cy.col(k);
     }
-    for (std::size_t b = 0; b <= P; ++b)
-      for (std::size_t a = 0; a <= P; ++a) {
-        *value++ = f[0][a] * f[1][b];
-        *gradient++ = d[0][a] * f[1][b];
-        *gradient++ = f[0][a] * d[1][b];
+    dx *= inverse.x();
+    dy *= inverse.y();
+    for (int b = 0; b <= P; ++b)
+      for (int a = 0; a <= P; ++a) {
+        *value++ = fx[a] * fy[b];
+        *gradient++ = dx[a] * fy[b];
+        *gradient++ = fx[a] * dy[b];
       }
   }
 }

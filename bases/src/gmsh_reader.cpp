@@ -9,6 +9,14 @@
 namespace shoreline {
 namespace {
 
+/// A word of a file as messages show it: short, and nothing that is no text.
+std::string shown(std::string_view word) {
+  constexpr std::size_t most = 40;
+  std::string text = "\"";
+  for (const char c : word.substr(0, most)) text += c > ' ' && c <= '~' ? c : '?';
+  return text + (word.size() > most ? "...\"" : "\"");
+}
+
 /// The lines of a file with words in them, one at a time, and the words of the current one.
 class Lines {
  public:
@@ -41,17 +49,16 @@ class Lines {
     Number value{};
     const auto [end, error] = std::from_chars(found.data(), found.data() + found.size(), value);
     if (found.empty() || error != std::errc{} || end != found.data() + found.size())
-      fail("expected " + what + ", found \"" + std::string(found) + "\"");
+      fail("expected " + what + ", found " + shown(found));
     return value;
   }
   void require_end() {
-    if (const std::string_view more = word(); !more.empty())
-      fail("expected the end of the line, found \"" + std::string(more) + "\"");
+    if (const std::string_view more = word(); !more.empty()) fail("expected the end of the line, found " + shown(more));
   }
   void require_line(const std::string& keyword) {
     require_next(keyword);
     if (const std::string_view found = word(); found != keyword)
-      fail("expected " + keyword + ", found \"" + std::string(found) + "\"");
+      fail("expected " + keyword + ", found " + shown(found));
     require_end();
   }
   [[noreturn]] void fail(const std::string& problem) const {
@@ -82,7 +89,7 @@ bool read_format(Lines& lines) {
   lines.require_next("the version of the format");
   const std::string version(lines.word());
   if (version != "2.2" && version != "4.1")
-    lines.fail("format \"" + version + "\" is not read, save the mesh in format 2.2 or 4.1 (Mesh.MshFileVersion)");
+    lines.fail("format " + shown(version) + " is not read, save the mesh in format 2.2 or 4.1 (Mesh.MshFileVersion)");
   if (lines.number<int>("0 for ASCII or 1 for binary") != 0)
     lines.fail("the file is binary, save the mesh as ASCII (Mesh.Binary = 0)");
   lines.require_line("$EndMeshFormat");
@@ -205,7 +212,7 @@ TriangleMesh read_gmsh(std::istream& in, const std::string& name) {
     else if (section == "$PhysicalNames" || section == "$Entities" || section == "$Comments")
       pass_over(lines, section);
     else
-      lines.fail("\"" + section + "\" is not read; expected $Nodes, $Elements, $PhysicalNames, $Entities or $Comments");
+      lines.fail(shown(section) + " is not read; expected $Nodes, $Elements, $PhysicalNames, $Entities or $Comments");
   }
   if (contents.mesh.triangle.empty()) lines.fail("the file ends and had no triangles");
   return contents.mesh;

@@ -11,8 +11,9 @@ namespace {
 
 std::size_t at(Index number) { return static_cast<std::size_t>(number); }
 
-bool holds(const std::array<Vec2, 3>& p, const Vec2& x) {
-  return twice_area(p[0], p[1], x) >= 0.0 && twice_area(p[1], p[2], x) >= 0.0 && twice_area(p[2], p[0], x) >= 0.0;
+/// Whether x lies in a triangle, by a margin: least twice the area with each side [m²].
+bool holds(const std::array<Vec2, 3>& p, const Vec2& x, double least = 0.0) {
+  return twice_area(p[0], p[1], x) >= least && twice_area(p[1], p[2], x) >= least && twice_area(p[2], p[0], x) >= least;
 }
 
 double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& x) {
@@ -150,7 +151,8 @@ void TriangleGrid::sort_into_bins() {
 }
 
 std::optional<Index> TriangleGrid::locate(const Vec2& x, Index hint) const {
-  if (holds(corners(mesh_, hint), x)) return hint;
+  const double clear = 1e-12 * size(hint) * size(hint);  // nearer to an edge the hint must not decide
+  if (holds(corners(mesh_, hint), x, clear)) return hint;
   const Vec2 place = (x - bins_.lower).cwiseQuotient(bins_.width);
   if (!(place.minCoeff() >= 0.0 && place.x() < bins_.count[0] && place.y() < bins_.count[1])) return std::nullopt;
   const auto bin = at(static_cast<Index>(place.x()) + static_cast<Index>(place.y()) * bins_.count[0]);
@@ -181,7 +183,9 @@ std::vector<Line> TriangleGrid::lines_near(const Box& box) const {
     for (Index b = left + j * bins_.count[0]; b <= right + j * bins_.count[0]; ++b)
       for (Index k = bins_.first[at(b)]; k < bins_.first[at(b + 1)]; ++k) {
         const Index cell = bins_.cell[at(k)];
-        if (overlap(box_of(corners(mesh_, cell)), box))
+        const double slack = border_slack * size(cell);
+        const Box reach = box_of(corners(mesh_, cell));
+        if (overlap({reach.lower - Vec2::Constant(slack), reach.upper + Vec2::Constant(slack)}, box))
           numbers.insert(numbers.end(), line_of_[at(cell)].begin(), line_of_[at(cell)].end());
       }
   std::ranges::sort(numbers);

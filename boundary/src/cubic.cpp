@@ -45,16 +45,16 @@ Cubic coordinate(const CubicSpan& span, const Vec2& direction) {
   return f;
 }
 
-MonotoneParts monotone_parts(const Cubic& f) {
+MonotoneParts monotone_parts(const Cubic& f, double begin, double end) {
   // f'/3 = A u² + 2 B u + C
   const double c = f.b[1] - f.b[0];
   const double b = f.b[2] - f.b[1] - c;
   const double a = f.b[3] - f.b[2] - (f.b[2] - f.b[1]) - b;
   const double discriminant = b * b - a * c;
 
-  MonotoneParts parts{.count = 1, .u = {0.0}, .value = {f.b[0]}};
+  MonotoneParts parts{.count = 1, .u = {begin}, .value = {f.value(begin)}};
   const auto cut = [&](double u) {
-    if (!(u > 0.0 && u < 1.0)) return;
+    if (!(u > begin && u < end)) return;
     const auto at = static_cast<std::size_t>(parts.count++);
     parts.u[at] = u;
     parts.value[at] = f.value(u);
@@ -65,8 +65,8 @@ MonotoneParts monotone_parts(const Cubic& f) {
     cut(std::max(q / a, c / q));
   }
   const auto last = static_cast<std::size_t>(parts.count);
-  parts.u[last] = 1.0;
-  parts.value[last] = f.b[3];
+  parts.u[last] = end;
+  parts.value[last] = f.value(end);
   return parts;
 }
 

@@ -18,14 +18,14 @@ struct Cubic {
 /// direction · C(u).
 [[nodiscard]] Cubic coordinate(const CubicSpan& span, const Vec2& direction);
 
-/// [0, 1] cut where f' changes its sign: part i is [u[i], u[i+1]], and f runs there from value[i] to value[i+1].
+/// [begin, end] cut where f' changes its sign: part i is [u[i], u[i+1]], and f runs there from value[i] to value[i+1].
 struct MonotoneParts {
   int count;  ///< 1 to 3
   std::array<double, 4> u;
   std::array<double, 4> value;
 };
 
-[[nodiscard]] MonotoneParts monotone_parts(const Cubic& f);
+[[nodiscard]] MonotoneParts monotone_parts(const Cubic& f, double begin = 0.0, double end = 1.0);
 
 /// Whether f passes @p level on a monotone part. The level belongs to the upper side, so that of two parts that meet on
 /// it either none or both pass it (a touch), or exactly one (a passage).

@@ -3,13 +3,20 @@
 #include <Eigen/SparseCholesky>
 #include <cmath>
 
+#include "shoreline/bases/derivatives.hpp"
+
 namespace shoreline {
 namespace {
 
-constexpr double smoothing = 1e-6;  ///< ε, of jumps of the gradient
-constexpr double flatness = 1e-8;   ///< η, of the gradient
-constexpr double ridge = 1e-12;     ///< of the largest diagonal entry, for what no slope sees
-constexpr int solutions = 3;        ///< each takes away most of what η and the ridge leave behind
+constexpr double smoothing = 1e-6;  ///< ε, of jumps of the derivatives of order p
+constexpr int solutions = 3;        ///< each takes away most of what η and κ leave behind
+
+/// η, of the gradient. On a bent curve the trace sees the slope across it, by the square of the bend: smooth bases,
+/// which are as accurate as that, need a smaller η.
+constexpr double flatness(int degree) { return degree == 1 ? 1e-8 : 1e-12; }
+
+/// κ over the largest diagonal entry, for what no slope sees.
+constexpr double ridge(int degree) { return degree == 1 ? 1e-12 : 1e-14; }
 
 using Sparse = Eigen::SparseMatrix<double>;
 
@@ -45,8 +52,9 @@ class NormalEquations {
     const Sparse fit = sum(fit_);
     Sparse identity(fit.rows(), fit.cols());
     identity.setIdentity();
+    const int p = basis_.degree();
     const double largest = Eigen::VectorXd(fit.diagonal()).maxCoeff();
-    const Eigen::SimplicialLDLT<Sparse> factors(fit + flatness * sum(slope_) + ridge * largest * identity);
+    const Eigen::SimplicialLDLT<Sparse> factors(fit + flatness(p) * sum(slope_) + ridge(p) * largest * identity);
     Eigen::VectorXd unknown = Eigen::VectorXd::Zero(data_.size());
     for (int k = 0; k < solutions; ++k) unknown += factors.solve(data_ - fit * unknown);
     Eigen::Matrix2Xd coefficient = Eigen::Matrix2Xd::Zero(2, basis_.functions());
@@ -57,6 +65,13 @@ class NormalEquations {
 
  private:
   using Entries = std::vector<Eigen::Triplet<double>>;
+
+  /// The derivatives of order p on one side of a jump.
+  struct Side {
+    ShortIndices function;
+    ShortDerivatives derivative;
+    double sign;
+  };
 
   [[nodiscard]] int row(Index function) const { return 2 * number_[static_cast<std::size_t>(function)]; }
 
@@ -87,8 +102,8 @@ class NormalEquations {
     }
   }
 
-  /// ε h³ [∇u]·[∇v], mean over segment s and the next: the difference of their polynomials, each continued to the
-  /// other's segment.
+  /// ε h^(2p+1) [∇ᵖu]·[∇ᵖv], mean over segment s and the next: the difference of their polynomials, each continued to
+  /// the other's segment.
   void add_jump(const Edge& edge, std::size_t s) {
     if (edge.support_cell[s] == edge.support_cell[s + 1]) return;
     const auto n = static_cast<std::size_t>(edge.points_per_segment);
@@ -97,22 +112,24 @@ class NormalEquations {
   }
 
   void add_jump(Index cell, Index next, const Vec2& x, double share) {
-    const double weight = share * smoothing * std::pow(basis_.grid().size(cell), 3.0);
-    const Support here = basis_.support(cell, x);
-    const Support there = basis_.support(next, x);
-    for (const auto& [one, one_sign] : {std::pair(&here, 1.0), std::pair(&there, -1.0)})
-      for (const auto& [other, other_sign] : {std::pair(&here, 1.0), std::pair(&there, -1.0)})
-        for (Eigen::Index a = 0; a < one->value.size(); ++a)
-          for (Eigen::Index b = 0; b < other->value.size(); ++b)
+    const int p = basis_.degree();
+    const double weight = share * smoothing * std::pow(basis_.grid().size(cell), 2 * p + 1);
+    const Side here{basis_.functions_of(cell), derivatives(basis_, cell, x, p), 1.0};
+    const Side there{basis_.functions_of(next), derivatives(basis_, next, x, p), -1.0};
+    for (const Side* one : {&here, &there})
+      for (const Side* other : {&here, &there})
+        for (Eigen::Index a = 0; a < one->function.size(); ++a)
+          for (Eigen::Index b = 0; b < other->function.size(); ++b)
             for (const int c : {0, 1})
-              fit_.emplace_back(row(one->function[a]) + c, row(other->function[b]) + c,
-                                weight * one_sign * other_sign * one->gradient.col(a).dot(other->gradient.col(b)));
+              fit_.emplace_back(
+                  row(one->function[a]) + c, row(other->function[b]) + c,
+                  weight * one->sign * other->sign * one->derivative.col(a).dot(other->derivative.col(b)));
   }
 
   const Basis& basis_;
   std::vector<int> number_;  ///< (functions of the basis) or −1
   std::vector<Index> function_;
-  Entries fit_;    ///< ∫ Mᵀ P M dS + ε Σ h³ [∇M]ᵀ [∇M]
+  Entries fit_;    ///< ∫ Mᵀ P M dS + ε Σ h^(2p+1) [∇ᵖM]ᵀ [∇ᵖM]
   Entries slope_;  ///< ∫ h² ∇Mᵀ ∇M dS
   Eigen::VectorXd data_;
 };

@@ -143,3 +143,8 @@ TEST_CASE("a file without triangles is refused", "[bases][gmsh_reader]") {
   CHECK_THROWS_WITH(read(""), StartsWith("square.msh:1: ") && Contains("expected $MeshFormat"));
   CHECK_THROWS_WITH(read(old_format.substr(0, old_format.find("$Nodes"))), Contains("no triangles"));
 }
+
+TEST_CASE("what is no text is shown short and in readable characters", "[bases][gmsh_reader]") {
+  CHECK_THROWS_WITH(read("\x89PNG\x1b[2J" + std::string(1000, 'x')),
+                    Contains("square.msh:1") && Contains("found \"?PNG?[2Jxxx") && !Contains(std::string(50, 'x')));
+}

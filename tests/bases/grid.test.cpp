@@ -159,3 +159,12 @@ TEST_CASE("every edge of a cell that meets a box lies on one of the lines near t
     }
   }
 }
+
+TEST_CASE("lines that run through a grid meet few boxes: no more than its columns and rows have", "[bases][grid]") {
+  test::Random random(6);
+  for (int draw = 0; draw < 20; ++draw) {
+    const QuadrilateralGrid grid = random.grid();
+    CHECK(grid.lines_run_through());
+    CHECK(static_cast<Index>(grid.lines_near(grid.bounds()).size()) == grid.columns() + grid.rows() + 2);
+  }
+}

@@ -3,11 +3,9 @@
 #include <catch2/catch.hpp>
 
 #include "meshes.hpp"
-#include "projection.hpp"
 
 using namespace shoreline;
 using Catch::Matchers::WithinAbs;
-using Catch::Matchers::WithinRel;
 
 TEST_CASE("each linear function is one at its vertex and zero at the others", "[bases][linear_triangle]") {
   test::Random random(1);
@@ -48,21 +46,6 @@ TEST_CASE("linear functions are not negative in their triangle and reproduce lin
       CHECK(basis.curvatures(cell, x).norm() == 0.0);
     }
   }
-}
-
-TEST_CASE("the projection of sin πx sin πy onto linear triangles converges with order two",
-          "[bases][linear_triangle]") {
-  const std::vector<double> published{2.768e-2, 6.593e-3, 1.618e-3, 4.023e-4};
-  std::vector<double> error;
-  for (const Index squares : {4, 8, 16, 32}) {
-    const Vec2 spacing = Vec2::Constant(1.0 / squares);
-    error.push_back(
-        test::project_sines(LinearTriangleBasis(test::lattice(squares, squares, TrianglePattern::diagonal, spacing)))
-            .value);
-  }
-  CAPTURE(error);
-  for (std::size_t k = 0; k < error.size(); ++k) CHECK_THAT(error[k], WithinRel(published[k], 0.001));
-  CHECK_THAT(std::log2(error[2] / error[3]), WithinAbs(2.0, 0.05));
 }
 
 TEST_CASE("a mesh that breaks a rule carries no linear basis", "[bases][linear_triangle]") {

@@ -5,12 +5,10 @@
 #include <map>
 
 #include "meshes.hpp"
-#include "projection.hpp"
 #include "shoreline/bases/powell_sabin_refinement.hpp"
 
 using namespace shoreline;
 using Catch::Matchers::WithinAbs;
-using Catch::Matchers::WithinRel;
 
 namespace {
 
@@ -210,23 +208,6 @@ TEST_CASE("a corner of less than 150 degrees has a side of its control triangle 
       CHECK(on_edge(1 + (v + corners - 2) % corners) == (corners < 12 ? 2 : 0));
     }
   }
-}
-
-TEST_CASE("the projection of sin πx sin πy onto Powell-Sabin splines converges with order three",
-          "[bases][powell_sabin]") {
-  const std::vector<double> published{1.178e-2, 1.143e-3, 1.317e-4, 1.608e-5};
-  std::vector<test::ProjectionError> error;
-  for (const Index squares : {2, 4, 8, 16}) {
-    const Vec2 spacing = Vec2::Constant(1.0 / squares);
-    error.push_back(
-        test::project_sines(PowellSabinBasis(test::lattice(squares, squares, TrianglePattern::diagonal, spacing))));
-  }
-  for (std::size_t k = 0; k < error.size(); ++k) CHECK_THAT(error[k].value, WithinRel(published[k], 0.015));
-  const double value_order = std::log2(error[2].value / error[3].value);
-  const double slope_order = std::log2(error[2].x_slope / error[3].x_slope);
-  CAPTURE(value_order, slope_order);
-  CHECK((value_order > 2.9 && value_order < 3.15));
-  CHECK((slope_order > 1.9 && slope_order < 2.15));
 }
 
 TEST_CASE("a mesh that breaks a rule carries no Powell-Sabin splines", "[bases][powell_sabin]") {

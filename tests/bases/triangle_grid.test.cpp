@@ -60,6 +60,8 @@ TEST_CASE("every place in a triangle, on an edge or a vertex has a cell that hol
         const auto found = grid.locate(x, random.whole(0, grid.cells() - 1));
         REQUIRE(found);
         CHECK(distance(grid, *found, x) <= 1e-14 * (1.0 + x.norm()));
+        CHECK(grid.locate(x, cell) == found);
+        for (const Face& face : grid.faces(cell)) CHECK(grid.locate(x, face.neighbour) == found);
       }
     }
   }
@@ -93,7 +95,11 @@ TEST_CASE("a place beside the border belongs to the border's cell up to the slac
         const Vec2 edge = p[(k + 1) % 3] - p[k];
         const Vec2 outward = Vec2(edge.y(), -edge.x()).normalized();
         const Vec2 on_edge = p[k] + random.uniform(0.0, 1.0) * edge;
-        CHECK(grid.locate(on_edge + 0.99 * border_slack * grid.size(cell) * outward, 0));
+        const Vec2 beside = on_edge + 0.99 * border_slack * grid.size(cell) * outward;
+        CHECK(grid.locate(beside, 0));
+        CHECK(std::ranges::any_of(grid.lines_near({beside, beside}), [&](const Line& line) {
+          return std::abs(line.normal.dot(on_edge) - line.offset) < 1e-12 && std::abs(line.normal.dot(edge)) < 1e-12;
+        }));
         const Vec2 beyond = on_edge + 1.01 * border_slack * grid.size(cell) * outward;
         CHECK(grid.locate(beyond, 0).has_value() == (cells_away(grid, beyond) <= border_slack));
       }

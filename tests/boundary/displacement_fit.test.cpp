@@ -2,9 +2,10 @@
 
 #include <catch2/catch.hpp>
 
+#include "../every_grid.hpp"
 #include "../plate.hpp"
-#include "../random.hpp"
 #include "shoreline/bases/bilinear.hpp"
+#include "shoreline/bases/powell_sabin.hpp"
 #include "shoreline/boundary/short_forms.hpp"
 
 using namespace shoreline;
@@ -113,4 +114,100 @@ TEST_CASE("all curves are fitted together", "[boundary][displacement_fit]") {
   for (const BoundaryPoint& p : still.points)
     trace = std::max(trace, basis.support(p.cell, p.x).interpolate(alone.coefficient).norm());
   CHECK(trace > 0.0);
+}
+
+namespace {
+
+/// Displacement of the plate with a hole.
+Vec2 plate(const Vec2& x) {
+  static const ExactSolution exact =
+      exact_solution(PlateWithHole{0.5, 1e6}, {1e7, 0.2, Plane::stress}, [](double) { return 1.0; });
+  return exact.displacement(x, 1.0);
+}
+
+/// Error of the plate's outer displacements along the curve, h = 2^-k, √(∫ |·|² dS).
+double plate_error(Case::Grid grid, int k) {
+  grid.lower = Vec2::Zero();
+  grid.upper = Vec2(2.25, 2.25);
+  grid.cell_size = std::ldexp(1.0, -k) * Vec2::Ones();
+  const std::unique_ptr<const Basis> basis = test::basis_of(grid);
+  const Edge edge = edge_of(test::plate_outer(), basis->grid());
+  return fit_displacement(*basis, std::vector{held(edge, false, plate)}).error[0].l2;
+}
+
+}  // namespace
+
+TEST_CASE("on every basis polynomials of its degree are reproduced along any curve", "[boundary][displacement_fit]") {
+  test::Random random(6);
+  for (const auto& [name, grid] : test::every_grid({-1.0, -1.0}, 2.0, 9)) {
+    const std::unique_ptr<const Basis> basis = test::basis_of(grid);
+    for (int draw = 0; draw < 5; ++draw) {
+      CAPTURE(name, draw);
+      const Edge edge = edge_of(circle(random.vector(-0.2, 0.2), random.uniform(0.2, 0.6), 12, false), basis->grid());
+      const Vec2 direction = random.direction();
+      const auto power = [&](const Vec2& x) -> Vec2 {
+        return std::pow(0.3 + direction.dot(x), basis->degree()) * Vec2(1.0, -0.5);
+      };
+      CHECK(fit_displacement(*basis, std::vector{held(edge, false, power)}).error[0].l2 <= 2e-8);
+    }
+  }
+}
+
+TEST_CASE("on smooth bases the fit converges with order 2.5 and better", "[boundary][displacement_fit]") {
+  Case::Grid grid;
+  grid.basis = Case::BasisType::powell_sabin;
+  CHECK(std::log2(plate_error(grid, 2) / plate_error(grid, 4)) / 2.0 >= 2.5);
+  CHECK(plate_error(grid, 4) <= 3e-8);
+  grid.basis = Case::BasisType::bspline;
+  CHECK(std::log2(plate_error(grid, 2) / plate_error(grid, 4)) / 2.0 >= 2.5);
+  CHECK(plate_error(grid, 4) <= 1.2e-8);
+  grid.degree = 3;
+  CHECK(std::log2(plate_error(grid, 2) / plate_error(grid, 4)) / 2.0 >= 3.5);
+  CHECK(plate_error(grid, 4) <= 1.2e-9);
+}
+
+TEST_CASE("a fit with few points stays behind where segments end at edges of main triangles only",
+          "[boundary][displacement_fit]") {
+  const TriangleMesh mesh = triangulate({Vec2::Zero(), {0.125, 0.125}, {18, 18}}, TrianglePattern::diagonal);
+  const PowellSabinBasis basis(mesh);
+  const auto edge_with = [&](int points) {
+    return make_edge(test::plate_outer(), basis.grid(),
+                     std::vector<char>(static_cast<std::size_t>(basis.grid().cells()), 1), gauss(points));
+  };
+  const Edge fine = edge_with(6);
+  const auto error = [&](const Edge& edge) {
+    const DisplacementFit fit = fit_displacement(basis, std::vector{held(edge, false, plate)});
+    double squares = 0.0;
+    for (const BoundaryPoint& p : fine.points)
+      squares += p.weight * (basis.support(p.cell, p.x).interpolate(fit.coefficient) - plate(p.x)).squaredNorm();
+    return std::sqrt(squares);
+  };
+  Edge unsplit = edge_with(2);  // two points a segment of the main mesh, each as a segment of its own sub-triangle
+  unsplit.points = boundary_points(unsplit.curve, trace(unsplit.curve, TriangleGrid(mesh), "outer"), gauss(2));
+  unsplit.points_per_segment = 1;
+  unsplit.segments.clear();
+  unsplit.support_cell.clear();
+  for (BoundaryPoint& p : unsplit.points) {
+    p.cell = basis.grid().locate(p.x, 6 * p.cell).value();
+    unsplit.support_cell.push_back(p.cell);
+    unsplit.segments.push_back({p.span, p.u, p.u, p.cell});
+  }
+  CHECK(error(unsplit) >= 4.0 * error(edge_with(2)));
+  CHECK(error(unsplit) >= 10.0 * error(edge_with(3)));
+  CHECK(error(edge_with(3)) <= 1.2 * error(edge_with(4)));
+}
+
+TEST_CASE("on every basis the fit stays smooth in cells that a curve barely touches", "[boundary][displacement_fit]") {
+  for (const auto& [name, grid] : test::every_grid({-1.0, -1.0}, 2.0, 8)) {
+    const std::unique_ptr<const Basis> basis = test::basis_of(grid);
+    for (const double touch : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
+      CAPTURE(name, touch);
+      const Edge edge = edge_of(circle({0.0, 0.0}, 0.5 + touch, 16, false), basis->grid());
+      const DisplacementFit fit = fit_displacement(*basis, std::vector{held(edge, false, wave)});
+      double steepest = 0.0;
+      for (const BoundaryPoint& p : edge.points)
+        steepest = std::max(steepest, basis->support(p.cell, p.x).gradient_of(fit.coefficient).norm());
+      CHECK(steepest <= 12.0);  // that of the field itself is below 4.6 on the circle
+    }
+  }
 }

@@ -3,47 +3,17 @@
 #include <catch2/catch.hpp>
 
 #include "random_pieces.hpp"
-#include "shoreline/boundary/short_forms.hpp"
+#include "traced.hpp"
 
 using namespace shoreline;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinAbs;
+using test::cells_of;
+using test::fault;
+using test::outside;
+using test::straight;
 
 namespace {
-
-/// How far x lies outside a cell, in units of its spacing.
-double outside(const QuadrilateralGrid& grid, Index cell, const Vec2& x) {
-  const Vec2 place = (x - grid.corner(cell)).cwiseQuotient(grid.spacing());
-  return std::max((-place).maxCoeff(), (place - Vec2::Ones()).maxCoeff());
-}
-
-/// What is wrong with a trace; empty if nothing is.
-std::string fault(const SplineCurve& curve, const QuadrilateralGrid& grid, const std::vector<Segment>& segments) {
-  int span = -1;
-  double end = 1.0;
-  Index cell = -1;
-  for (const Segment& s : segments) {
-    if (end == 1.0 ? s.span != span + 1 || s.begin != 0.0 : s.span != span || s.begin != end) return "gap or overlap";
-    if (s.span == span && s.cell == cell) return "same cell twice in a row";
-    if (!(s.begin < s.end)) return "no width";
-    for (int k = 0; k <= 8; ++k) {
-      const double u = s.begin + (s.end - s.begin) * k / 8.0;
-      if (outside(grid, s.cell, curve.spans[static_cast<std::size_t>(s.span)].position(u)) > 2e-9) return "outside";
-    }
-    span = s.span;
-    end = s.end;
-    cell = s.cell;
-  }
-  return end == 1.0 && span + 1 == static_cast<int>(curve.spans.size()) ? "" : "ends early";
-}
-
-std::vector<Index> cells_of(const std::vector<Segment>& segments) {
-  std::vector<Index> cells;
-  for (const Segment& s : segments) cells.push_back(s.cell);
-  return cells;
-}
-
-SplineCurve straight(const Vec2& from, const Vec2& to) { return fit_spline(line(from, to)); }
 
 const QuadrilateralGrid unit_cells({0, 0}, {1, 1}, {4, 4});
 

@@ -36,13 +36,18 @@ class Grid {
 
   [[nodiscard]] virtual Index cells() const = 0;
 
+  /// Cells e·parts … (e + 1)·parts − 1 are the parts of element e, all of which the same functions see: the six of a
+  /// Powell-Sabin triangle; else 1.
+  [[nodiscard]] virtual int parts() const { return 1; }
+
   /// The smallest box that holds all cells.
   [[nodiscard]] virtual Box bounds() const = 0;
 
   /// Whether a whole box lies in the grid. A grid may answer no where it cannot tell at once.
   [[nodiscard]] virtual bool covers(const Box& /*box*/) const { return false; }
 
-  /// The cell that holds @p x; none more than border_slack outside the grid. On an edge any of its cells.
+  /// The cell that holds @p x; none more than border_slack outside the grid. On an edge one of its cells, which
+  /// does not depend on the hint.
   /// @param hint  a cell near x (the one that held the point before), or 0
   [[nodiscard]] virtual std::optional<Index> locate(const Vec2& x, Index hint) const = 0;
 
@@ -52,8 +57,12 @@ class Grid {
   /// The length h of a cell [m]: √(area) of a rectangle, √(2·area) of a triangle. Bands and penalties scale with it.
   [[nodiscard]] virtual double size(Index cell) const = 0;
 
-  /// The lines on which edges of cells lie that meet @p box; more lines than that do no harm.
+  /// The lines on which edges of cells lie that meet @p box, or that it lies beside by at most border_slack; more lines
+  /// than that do no harm.
   [[nodiscard]] virtual std::vector<Line> lines_near(const Box& box) const = 0;
+
+  /// Whether every line runs through the whole grid, so that a box meets few; else about as many as it meets cells.
+  [[nodiscard]] virtual bool lines_run_through() const { return false; }
 
   /// The faces that a cell shares with others; the cell is on their left.
   [[nodiscard]] virtual std::vector<Face> faces(Index cell) const = 0;

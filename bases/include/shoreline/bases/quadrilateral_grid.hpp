@@ -23,6 +23,7 @@ class QuadrilateralGrid final : public Grid {
   [[nodiscard]] std::vector<Vec2> polygon(Index cell) const override;
   [[nodiscard]] double size(Index cell) const override;
   [[nodiscard]] std::vector<Line> lines_near(const Box& box) const override;
+  [[nodiscard]] bool lines_run_through() const override { return true; }
   [[nodiscard]] std::vector<Face> faces(Index cell) const override;
 
   [[nodiscard]] const Vec2& spacing() const { return spacing_; }

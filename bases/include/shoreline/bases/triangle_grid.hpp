@@ -17,6 +17,7 @@ class TriangleGrid final : public Grid {
   explicit TriangleGrid(TriangleMesh mesh, int parts = 1);
 
   [[nodiscard]] Index cells() const override { return static_cast<Index>(mesh_.triangle.size()); }
+  [[nodiscard]] int parts() const override { return static_cast<int>(parts_); }
   [[nodiscard]] Box bounds() const override { return bounds_; }
   [[nodiscard]] std::optional<Index> locate(const Vec2& x, Index hint) const override;
   [[nodiscard]] std::vector<Vec2> polygon(Index cell) const override;

@@ -28,11 +28,11 @@ struct DisplacementFit {
 
 /// Least-squares fit of all curves together, (D.8) (Bing et al. 2019, eqs 34–36):
 ///
-///     (∫ Mᵀ P M dS + ε Σ h³ [∇M]ᵀ[∇M] + η ∫ h² ∇Mᵀ ∇M dS + κ I) d_a = ∫ Mᵀ P u_a dS.
+///     (∫ Mᵀ P M dS + ε Σ h^(2p+1) [∇ᵖM]ᵀ[∇ᵖM] + η ∫ h² ∇Mᵀ ∇M dS + κ I) d_a = ∫ Mᵀ P u_a dS.
 ///
 /// Jumps [·] are taken where a curve passes from one cell to the next. They decide what a trace leaves open where a
-/// cell is barely touched, without a say in linear fields; η and κ, far smaller, decide what then is still open (the
-/// slope across a straight line, the tangential component on a roller).
+/// cell is barely touched, without a say in polynomials of degree p; η and κ, far smaller, decide what then is still
+/// open (the slope across a straight line, the tangential component on a roller).
 [[nodiscard]] DisplacementFit fit_displacement(const Basis& basis, std::span<const HeldEdge> edges);
 
 }  // namespace shoreline
