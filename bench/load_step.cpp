@@ -43,7 +43,7 @@ Case square(int cells, int per_cell) {
       side("top", {high, high}, {low, high}, Case::Traction{std::array{Quantity(0.0), Quantity(-1.0)}}),
       side("left", {low, high}, {low, low}, roller)};
   problem.material_points = LatticeFill{{per_cell, per_cell}, VolumeRule::clipped};
-  problem.load_steps = 2;
+  std::get<QuasiStatic>(problem.analysis).load_steps = 2;
   return problem;
 }
 

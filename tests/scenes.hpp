@@ -45,8 +45,7 @@ inline Case compression_case(const CompressionSquare& o) {
   Case problem;
   problem.file = "square.json";
   problem.plane = o.plane;
-  problem.loading = o.loading;
-  problem.load_steps = o.steps;
+  problem.analysis = QuasiStatic{.loading = o.loading, .load_steps = o.steps};
   problem.material = {.youngs_modulus = o.youngs_modulus, .poissons_ratio = o.poissons_ratio, .density = {}};
   problem.grid = {.lower = Vec2::Constant(-reach), .upper = Vec2::Constant(reach), .cell_size = Vec2(h, h)};
   problem.boundaries = {side("bottom", corner(0, 0), corner(1, 0), roller),

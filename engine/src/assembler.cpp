@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <ranges>
 #include <utility>
 
 #include "threads.hpp"
@@ -33,27 +34,29 @@ struct Lists {
 };
 
 /// For each function the blocks in which it occurs.
-Lists blocks_of_functions(const ElementBlocks& blocks, Index functions) {
-  Lists lists{.first = std::vector<Index>(at(functions) + 1, 0), .entry = std::vector<Index>(blocks.function.size())};
-  for (const Index f : blocks.function) ++lists.first[at(f) + 1];
+/// @param block  functions of each block
+Lists blocks_of_functions(const Lists& block, Index functions) {
+  Lists lists{.first = std::vector<Index>(at(functions) + 1, 0), .entry = std::vector<Index>(block.entry.size())};
+  for (const Index f : block.entry) ++lists.first[at(f) + 1];
   std::partial_sum(lists.first.begin(), lists.first.end(), lists.first.begin());
   std::vector<Index> next(lists.first.begin(), lists.first.end() - 1);
-  for (std::size_t b = 0; b < blocks.size(); ++b)
-    for (Index k = blocks.first[b]; k < blocks.first[b + 1]; ++k)
-      lists.entry[at(next[at(blocks.function[at(k)])]++)] = static_cast<Index>(b);
+  for (std::size_t b = 0; b + 1 < block.first.size(); ++b)
+    for (Index k = block.first[b]; k < block.first[b + 1]; ++k)
+      lists.entry[at(next[at(block.entry[at(k)])]++)] = static_cast<Index>(b);
   return lists;
 }
 
 /// For each function the functions >= it that share a block with it, ascending.
-Lists couplings(const ElementBlocks& blocks, Index functions) {
-  const Lists blocks_of = blocks_of_functions(blocks, functions);
+/// @param block  functions of each block
+Lists couplings(const Lists& block, Index functions) {
+  const Lists blocks_of = blocks_of_functions(block, functions);
   const auto coupled = [&](Index f) -> const std::vector<Index>& {
     thread_local std::vector<Index> found;
     found.clear();
     for (Index k = blocks_of.first[at(f)]; k < blocks_of.first[at(f) + 1]; ++k) {
       const std::size_t b = at(blocks_of.entry[at(k)]);
-      for (Index i = blocks.first[b]; i < blocks.first[b + 1]; ++i)
-        if (blocks.function[at(i)] >= f) found.push_back(blocks.function[at(i)]);
+      for (Index i = block.first[b]; i < block.first[b + 1]; ++i)
+        if (block.entry[at(i)] >= f) found.push_back(block.entry[at(i)]);
     }
     std::ranges::sort(found);
     found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -64,11 +67,33 @@ Lists couplings(const ElementBlocks& blocks, Index functions) {
       [&](Index f, std::vector<Index>::iterator to) { std::ranges::copy(coupled(f), to); });
 }
 
+bool has_masters(const std::vector<Constraint>& constraints) {
+  return std::ranges::any_of(constraints, [](const Constraint& c) { return !c.masters.empty(); });
+}
+
+/// The functions of each block and the masters of those that are constrained, which may be listed twice.
+/// @param constraint_of  (2 · functions) the constraint with masters of each component, or none
+template <class ConstraintOf>
+Lists functions_with_masters(const ElementBlocks& blocks, ConstraintOf&& constraint_of) {
+  Lists lists{.first = {0}, .entry = {}};
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    for (Index k = blocks.first[b]; k < blocks.first[b + 1]; ++k) {
+      const Index f = blocks.function[at(k)];
+      lists.entry.push_back(f);
+      for (const Index unknown : {2 * f, 2 * f + 1})
+        if (const Constraint* c = constraint_of(unknown))
+          for (const ComponentTerm& m : c->masters) lists.entry.push_back(m.function);
+    }
+    lists.first.push_back(static_cast<Index>(lists.entry.size()));
+  }
+  return lists;
+}
+
 }  // namespace
 
 bool Assembler::prepare(const ElementBlocks& blocks, const std::vector<Constraint>& constraints, Index functions) {
   const bool same_constraints = std::ranges::equal(constraints, constraints_, [](const auto& a, const auto& b) {
-    return a.function == b.function && a.component == b.component;
+    return a.function == b.function && a.component == b.component && a.masters == b.masters;
   });
   constraints_ = constraints;
   if (same_constraints && blocks.first == first_ && blocks.function == function_ &&
@@ -84,7 +109,13 @@ bool Assembler::prepare(const ElementBlocks& blocks, const std::vector<Constrain
 void Assembler::number_unknowns(Index functions) {
   equation_.assign(2 * at(functions), -1);
   for (const Index f : function_) equation_[2 * at(f)] = equation_[2 * at(f) + 1] = 0;
-  for (const Constraint& c : constraints_) equation_[at(2 * c.function + c.component)] = -1;
+  for (const Constraint& c : constraints_)
+    if (equation_[at(2 * c.function + c.component)] == 0)
+      for (const ComponentTerm& m : c.masters) equation_[at(2 * m.function + m.component)] = 0;
+  for (std::size_t k = 0; k < constraints_.size(); ++k) {
+    const Constraint& c = constraints_[k];
+    equation_[at(2 * c.function + c.component)] = c.masters.empty() ? -1 : -2 - static_cast<Index>(k);
+  }
   unknown_.clear();
   for (std::size_t k = 0; k < equation_.size(); ++k) {
     if (equation_[k] < 0) continue;
@@ -94,7 +125,13 @@ void Assembler::number_unknowns(Index functions) {
 }
 
 void Assembler::build_pattern(const ElementBlocks& blocks) {
-  const Lists coupled = couplings(blocks, static_cast<Index>(equation_.size() / 2));
+  const auto constraint_of = [&](Index unknown) {
+    const Index e = equation_[at(unknown)];
+    return e <= -2 ? &constraints_[at(-2 - e)] : nullptr;
+  };
+  const Lists functions =
+      has_masters(constraints_) ? functions_with_masters(blocks, constraint_of) : Lists{first_, function_};
+  const Lists coupled = couplings(functions, static_cast<Index>(equation_.size() / 2));
   const auto each_row = [&](Index e, auto&& use) {  // of the lower half of column e
     const std::size_t f = at(unknown(e) / 2);
     for (Index k = coupled.first[f]; k < coupled.first[f + 1]; ++k)
@@ -111,7 +148,16 @@ void Assembler::build_pattern(const ElementBlocks& blocks) {
       [&](Index e, std::vector<Index>::iterator to) { each_row(e, [&](Index row) { *to++ = row; }); });
   column_ = std::move(columns.first);
   row_ = std::move(columns.entry);
+  find_places(blocks);
+  find_shares(blocks);
+}
 
+Index Assembler::place(Index row, Index column) const {
+  const auto begin = row_.begin() + column_[at(column)];
+  return static_cast<Index>(std::lower_bound(begin, row_.begin() + column_[at(column) + 1], row) - row_.begin());
+}
+
+void Assembler::find_places(const ElementBlocks& blocks) {
   place_.resize(blocks.matrix.size());
   places_.resize(blocks.size());
 #pragma omp parallel for schedule(static) if (worth_threads(place_.size()))
@@ -121,18 +167,47 @@ void Assembler::build_pattern(const ElementBlocks& blocks) {
     const Index m = 2 * (first_[b + 1] - first_[b]);
     for (Index j = 0; j < m; ++j)
       for (Index i = j; i < m; ++i, ++k) {
-        const auto [c, r] = std::minmax({equation(i), equation(j)});
-        if (c < 0) {
-          place_[k] = -1;
-          continue;
-        }
-        const auto begin = row_.begin() + column_[at(c)];
-        place_[k] = static_cast<Index>(std::lower_bound(begin, row_.begin() + column_[at(c) + 1], r) - row_.begin());
+        const auto [column, row] = std::minmax({equation(i), equation(j)});
+        place_[k] = column < 0 ? -1 : place(row, column);
       }
     const auto [low, high] = std::minmax_element(place_.begin() + static_cast<std::ptrdiff_t>(blocks.entry[b]),
                                                  place_.begin() + static_cast<std::ptrdiff_t>(k));
     places_[b] = {*low, *high};
   }
+}
+
+/// Where the entries of Tᵀ K T come from that involve a component with masters.
+void Assembler::find_shares(const ElementBlocks& blocks) {
+  shares_.clear();
+  if (!has_masters(constraints_)) return;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const auto unknown = [&](Index i) { return 2 * function_[at(first_[b] + i / 2)] + i % 2; };
+    const auto given = [&](Index i) { return equation_[at(unknown(i))] <= -2; };
+    const Index m = 2 * (first_[b + 1] - first_[b]);
+    if (std::ranges::none_of(std::views::iota(0, m), given)) continue;
+    std::size_t k = blocks.entry[b];
+    for (Index j = 0; j < m; ++j)
+      for (Index i = j; i < m; ++i, ++k) {
+        if (!given(i) && !given(j)) continue;
+        for (const Term& row : terms(unknown(i)))
+          for (const Term& column : terms(unknown(j))) {
+            if (i == j && row.equation < column.equation) continue;  // its mirror image is stored
+            const auto [c, r] = std::minmax(row.equation, column.equation);
+            const double both = i != j && r == c ? 2.0 : 1.0;  // (i, j) and (j, i) meet on the diagonal
+            shares_.push_back({k, place(r, c), both * row.coefficient * column.coefficient});
+          }
+      }
+  }
+}
+
+std::vector<Assembler::Term> Assembler::terms(Index unknown) const {
+  const Index e = equation_[at(unknown)];
+  if (e >= 0) return {{e, 1.0}};
+  std::vector<Term> terms;
+  if (e <= -2)
+    for (const ComponentTerm& m : constraints_[at(-2 - e)].masters)
+      terms.push_back({equation_[at(2 * m.function + m.component)], m.coefficient});
+  return terms;
 }
 
 void Assembler::assemble(const ElementBlocks& blocks, SparseMatrix& matrix, Eigen::VectorXd& force) const {
@@ -154,11 +229,19 @@ void Assembler::assemble(const ElementBlocks& blocks, SparseMatrix& matrix, Eige
       for (std::size_t k = blocks.entry[b]; k < blocks.entry[b + 1]; ++k)
         if (place_[k] >= low && place_[k] < high) matrix.value[at(place_[k])] += blocks.matrix[k];
     }
+    for (const Share& s : shares_)
+      if (s.place >= low && s.place < high) matrix.value[at(s.place)] += s.factor * blocks.matrix[s.entry];
   }
   for (std::size_t k = 0; k < blocks.function.size(); ++k)
-    for (std::size_t c = 0; c < 2; ++c)
-      if (const Index e = equation_[2 * at(blocks.function[k]) + c]; e >= 0) force[e] += blocks.force[2 * k + c];
+    for (const Index c : {0, 1}) add_force(2 * blocks.function[k] + c, blocks.force[2 * k + at(c)], force);
   add_prescribed(blocks, force);
+}
+
+void Assembler::add_force(Index unknown, double value, Eigen::VectorXd& force) const {
+  const Index e = equation_[at(unknown)];
+  if (e >= 0) force[e] += value;
+  if (e <= -2)
+    for (const Term& term : terms(unknown)) force[term.equation] += term.coefficient * value;
 }
 
 void Assembler::add_prescribed(const ElementBlocks& blocks, Eigen::VectorXd& force) const {
@@ -170,16 +253,17 @@ void Assembler::add_prescribed(const ElementBlocks& blocks, Eigen::VectorXd& for
     if (std::all_of(begin, end, [&](Index f) { return prescribed.col(f).isZero(0.0); })) continue;
     const Eigen::VectorXd product = blocks.times(b, prescribed);
     for (auto f = begin; f != end; ++f)
-      for (std::size_t c = 0; c < 2; ++c)
-        if (const Index e = equation_[2 * at(*f) + c]; e >= 0)
-          force[e] -= product[2 * (f - begin) + static_cast<Eigen::Index>(c)];
+      for (const Index c : {0, 1}) add_force(2 * *f + c, -product[2 * (f - begin) + c], force);
   }
 }
 
 Eigen::Matrix2Xd Assembler::expand(const Eigen::VectorXd& solution) const {
   Eigen::Matrix2Xd increment = Eigen::Matrix2Xd::Zero(2, static_cast<Eigen::Index>(equation_.size() / 2));
-  for (const Constraint& c : constraints_) increment(c.component, c.function) = c.value;
   for (Index e = 0; e < equations(); ++e) increment(unknown(e) % 2, unknown(e) / 2) = solution[e];
+  for (const Constraint& c : constraints_) {
+    double& value = increment(c.component, c.function) = c.value;
+    for (const ComponentTerm& m : c.masters) value += m.coefficient * increment(m.component, m.function);
+  }
   return increment;
 }
 

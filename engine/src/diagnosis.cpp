@@ -112,7 +112,9 @@ std::optional<std::string> free_motion(const StepState& step, const ElementBlock
     add_energy(step, blocks, b, found.at(parts.root(blocks.function[at(blocks.first[b])])));
   for (const Constraint& c : constraints)
     if (const auto body = found.find(parts.root(c.function)); body != found.end()) {
-      const Vec3 held = rigid(step.basis.control_point(c.function), body->second).row(c.component);
+      Vec3 held = rigid(step.basis.control_point(c.function), body->second).row(c.component);
+      for (const ComponentTerm& m : c.masters)
+        held -= m.coefficient * rigid(step.basis.control_point(m.function), body->second).row(m.component).transpose();
       body->second.energy += body->second.strength.maxCoeff() * held * held.transpose();
     }
   for (const auto& [root, body] : found) {

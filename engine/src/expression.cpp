@@ -129,6 +129,8 @@ bool Expression::uses_place() const {
   return std::ranges::any_of(used, [](const auto& variable) { return variable.first != "t"; });
 }
 
+bool Expression::uses_time() const { return parser_->parser.GetUsedVar().contains("t"); }
+
 double Quantity::operator()(const PlaceTime& at) const {
   if (const double* number = std::get_if<double>(&value_)) return *number * at.factor;
   return std::get<Expression>(value_)(at);

@@ -2,70 +2,126 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
+#include "constraint_rows.hpp"
 #include "shoreline/bases/error.hpp"
 #include "shoreline/engine/scene.hpp"
 
 namespace shoreline {
 namespace {
 
-constexpr double on_line = 1e-9;  ///< of a cell
+constexpr double on_line = 1e-9;      ///< of a cell
+constexpr double shortest = 1e-6;     ///< of a cell: a piece that ends as little beyond a vertex ends there
+constexpr double negligible = 1e-12;  ///< value of a function that vanishes, but for rounding
 
-/// Whether the points of a segment lie on one line of the grid.
-bool on_grid_line(const Grid& grid, std::span<const BoundaryPoint> points, double tolerance) {
-  const Vec2 reach = Vec2::Constant(tolerance);
-  const std::vector<Line> lines = grid.lines_near({points.front().x - reach, points.front().x + reach});
-  return std::ranges::any_of(lines, [&](const Line& line) {
-    return std::ranges::all_of(
-        points, [&](const BoundaryPoint& p) { return std::abs(line.normal.dot(p.x) - line.offset) <= tolerance; });
+InvalidArgument refused(const BoundaryPiece& piece, const Vec2& x, const char* problem, const char* remedy) {
+  return InvalidArgument(
+      fmt::format("piece \"{}\" has method \"grid\" but {} near ({:.6g}, {:.6g}); use method \"implicit_boundary\" or "
+                  "\"nitsche\", or {}",
+                  piece.piece.name, problem, x.x(), x.y(), remedy));
+}
+
+/// An edge of a cell, from a to b.
+struct CellEdge {
+  Vec2 a;
+  Vec2 b;
+};
+
+/// The edge of a cell on which points of the cell lie.
+std::optional<CellEdge> edge_under(const Grid& grid, Index cell, std::span<const BoundaryPoint> points) {
+  const std::vector<Vec2> polygon = grid.polygon(cell);
+  const double tolerance = on_line * grid.size(cell);
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec2& a = polygon[k];
+    const Vec2& b = polygon[(k + 1) % polygon.size()];
+    const Vec2 along = (b - a).normalized();
+    if (std::ranges::all_of(points,
+                            [&](const BoundaryPoint& p) { return std::abs(cross(along, p.x - a)) <= tolerance; }))
+      return CellEdge{a, b};
+  }
+  return std::nullopt;
+}
+
+/// Whether an edge parts two cells of one element.
+bool inside_element(const Grid& grid, Index cell, const CellEdge& edge) {
+  if (grid.parts() == 1) return false;
+  const std::vector<Face> faces = grid.faces(cell);
+  return std::ranges::any_of(faces, [&](const Face& face) {
+    return face.a == edge.a && face.b == edge.b && face.neighbour / grid.parts() == cell / grid.parts();
   });
 }
 
-/// First and last held component of a segment.
-std::pair<int, int> held_components(const BoundaryPiece& piece, const Essential& condition, const BoundaryPoint& p) {
-  if (!condition.normal_only) return {0, 1};
-  Eigen::Index axis = 0;
-  if (p.normal.cwiseAbs().maxCoeff(&axis) < 1.0 - on_line)
-    throw InvalidArgument(fmt::format(
-        "piece \"{}\" is a roller with method \"grid\" on a line that is not parallel to an axis, at ({:.6g}, {:.6g}); "
-        "use method \"implicit_boundary\" or \"nitsche\"",
-        piece.piece.name, p.x.x(), p.x.y()));
-  return {static_cast<int>(axis), static_cast<int>(axis)};
+/// What a piece asks for.
+struct Held {
+  int piece;
+  bool normal_only;
+  const Eigen::Matrix2Xd* prescribed;  ///< (2, functions) [m], or none: zero
+};
+
+/// The condition on one component of u, in direction n, at a place.
+ConstraintRow row_at(const Support& support, const Vec2& n, const Held& held) {
+  ConstraintRow row{.coefficient = {}, .value = 0.0, .piece = held.piece};
+  for (Eigen::Index a = 0; a < support.value.size(); ++a)
+    for (const int component : {0, 1}) {
+      const double coefficient = support.value[a] * n[component];
+      if (std::abs(coefficient) < negligible) continue;
+      row.coefficient.emplace(2 * support.function[a] + component, coefficient);
+      if (held.prescribed != nullptr) row.value += coefficient * (*held.prescribed)(component, support.function[a]);
+    }
+  return row;
+}
+
+ConstraintRow row_of(const Constraint& c) {
+  ConstraintRow row{.coefficient = {{2 * c.function + c.component, 1.0}}, .value = c.value, .piece = c.piece};
+  for (const ComponentTerm& m : c.masters) row.coefficient.emplace(2 * m.function + m.component, -m.coefficient);
+  return row;
+}
+
+/// The conditions along one edge: at degree + 1 places, which settle the polynomial.
+///
+/// They are solved among themselves first. Were each solved after those of the edges before, rounding errors would grow
+/// from edge to edge, as they do in an extrapolation.
+void add_rows(const Basis& basis, Index cell, const CellEdge& edge, const Held& held, ConstraintRows& rows) {
+  const Vec2 along = (edge.b - edge.a).normalized();
+  std::vector<Vec2> directions{Vec2::UnitX(), Vec2::UnitY()};
+  if (held.normal_only) directions = {Vec2(-along.y(), along.x())};
+  ConstraintRows here;
+  for (int q = 0; q <= basis.degree(); ++q) {
+    const Vec2 x = edge.a + static_cast<double>(q) / basis.degree() * (edge.b - edge.a);
+    const Support support = basis.support(cell, x);
+    for (const Vec2& n : directions) here.add(row_at(support, n, held));
+  }
+  for (const Constraint& c : here.solved()) rows.add(row_of(c));
 }
 
 }  // namespace
 
 std::vector<Constraint> grid_constraints(const Basis& basis, const std::vector<BoundaryPiece>& boundary,
                                          const std::vector<Edge>& edges, const Eigen::Matrix2Xd& prescribed) {
-  std::vector<Constraint> constraints;
-  std::set<std::pair<Index, int>> taken;
+  const Grid& grid = basis.grid();
+  ConstraintRows rows;
   for (std::size_t k = 0; k < boundary.size(); ++k) {
     const auto* condition = std::get_if<Essential>(&boundary[k].condition);
     if (condition == nullptr || condition->method != EssentialMethod::grid) continue;
     const Edge& edge = edges[k];
     const bool moves = condition->value && prescribed.cols() > 0;
+    const Held held{static_cast<int>(k), condition->normal_only, moves ? &prescribed : nullptr};
     for (std::size_t s = 0; s < edge.segments.size(); ++s) {
       const auto n = static_cast<std::size_t>(edge.points_per_segment);
       const std::span points(&edge.points[s * n], n);
       const Index cell = edge.segments[s].cell;
-      if (!on_grid_line(basis.grid(), points, on_line * basis.grid().size(cell)))
-        throw InvalidArgument(
-            fmt::format("piece \"{}\" has method \"grid\" but leaves the grid lines near ({:.6g}, {:.6g}); use method "
-                        "\"implicit_boundary\" or \"nitsche\", or move the grid",
-                        boundary[k].piece.name, points.front().x.x(), points.front().x.y()));
-      const auto [low, high] = held_components(boundary[k], *condition, points.front());
-      for (const BoundaryPoint& p : points) {
-        const Support support = basis.support(cell, p.x);
-        for (Eigen::Index a = 0; a < support.value.size(); ++a)
-          for (int component = low; component <= high; ++component)
-            if (std::abs(support.value[a]) > 1e-6 && taken.emplace(support.function[a], component).second)
-              constraints.push_back({support.function[a], component, static_cast<int>(k),
-                                     moves ? prescribed(component, support.function[a]) : 0.0});
-      }
+      double length = 0.0;
+      for (const BoundaryPoint& p : points) length += p.weight;
+      if (length < shortest * grid.size(cell)) continue;
+      const std::optional<CellEdge> under = edge_under(grid, cell, points);
+      if (!under) throw refused(boundary[k], points.front().x, "leaves the grid lines", "move the grid");
+      if (inside_element(grid, cell, *under))
+        throw refused(boundary[k], points.front().x, "runs through the inside of a triangle",
+                      "a mesh with edges along the piece");
+      add_rows(basis, cell, *under, held, rows);
     }
   }
-  return constraints;
+  return rows.solved();
 }
 
 }  // namespace shoreline

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 #include "shoreline/engine/failures.hpp"
 #include "threads.hpp"
@@ -17,9 +18,16 @@ constexpr double nudge = 1e-9;  ///< of a cell: moves a point on the outline off
 std::vector<Index> cells_of(const Basis& basis, const MaterialPoints& points) {
   const Grid& grid = basis.grid();
   std::vector<Index> cell(static_cast<std::size_t>(points.size()));
-#pragma omp parallel for schedule(static) if (worth_threads(cell.size()))
-  for (Index p = 0; p < points.size(); ++p)
-    cell[static_cast<std::size_t>(p)] = grid.locate(points.position.col(p), 0).value_or(-1);
+#pragma omp parallel if (worth_threads(cell.size()))
+  {
+    Index before = 0;  // points are sorted by cell: most share that of the point before
+#pragma omp for schedule(static)
+    for (Index p = 0; p < points.size(); ++p) {
+      const std::optional<Index> found = grid.locate(points.position.col(p), before);
+      cell[static_cast<std::size_t>(p)] = found.value_or(-1);
+      before = found.value_or(before);
+    }
+  }
   for (const OutlinePoint& edge : points.on_outline) {
     const Vec2 x = points.position.col(edge.point);
     const Index at = std::max(cell[static_cast<std::size_t>(edge.point)], Index{0});
@@ -47,18 +55,18 @@ void order_by_cell(const std::vector<Index>& cell, std::vector<Index>& order) {
     std::ranges::stable_sort(order, {}, [&](Index p) { return cell[static_cast<std::size_t>(p)]; });
 }
 
-/// Groups the points by cell.
-void group(const std::vector<Index>& cell, Index grid_cells, PointSupports& supports) {
+/// Groups the points by cell. Active is a whole element as soon as one of its cells holds a point.
+void group(const std::vector<Index>& cell, const Grid& grid, PointSupports& supports) {
   order_by_cell(cell, supports.point);
   supports.cell.clear();
   supports.first.clear();
-  supports.active.assign(static_cast<std::size_t>(grid_cells), 0);
+  supports.active.assign(static_cast<std::size_t>(grid.cells()), 0);
   for (std::size_t k = 0; k < supports.point.size(); ++k) {
     const Index here = cell[static_cast<std::size_t>(supports.point[k])];
     if (!supports.cell.empty() && supports.cell.back() == here) continue;
     supports.cell.push_back(here);
     supports.first.push_back(static_cast<Index>(k));
-    supports.active[static_cast<std::size_t>(here)] = 1;
+    std::fill_n(supports.active.begin() + (here - here % grid.parts()), grid.parts(), 1);
   }
   supports.first.push_back(static_cast<Index>(supports.point.size()));
 }
@@ -111,7 +119,7 @@ PointSupports locate_points(const Basis& basis, const MaterialPoints& points, Po
   require_inside(cell, points);
   PointSupports supports = std::move(reuse);
   supports.functions = basis.functions_per_cell();
-  group(cell, basis.grid().cells(), supports);
+  group(cell, basis.grid(), supports);
   evaluate(basis, points, supports);
   return supports;
 }

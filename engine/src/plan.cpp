@@ -2,14 +2,32 @@
 
 #include <cmath>
 
+#include "make_basis.hpp"
+#include "projection_run.hpp"
 #include "shoreline/engine/run.hpp"
 #include "shoreline/engine/scene.hpp"
 
 namespace shoreline {
 namespace {
 
-/// Bytes of a run, from its sizes. The factor of an AMD-ordered plane grid has about 8 n log₂ n entries.
-double predicted_bytes(const Scene& scene, const PointSupports& supports, double unknowns) {
+/// Bytes of a cell, whether it holds material or not: its mark; vertices, neighbours, lines and bins of triangles; the
+/// ordinates of a part of a Powell-Sabin triangle.
+double bytes_of_cell(Case::BasisType basis) {
+  switch (basis) {
+    case Case::BasisType::linear:
+      return 5.0 + 100.0;
+    case Case::BasisType::powell_sabin:
+      return 5.0 + 100.0 + 240.0;
+    case Case::BasisType::bilinear:
+    case Case::BasisType::bspline:
+      break;
+  }
+  return 5.0;
+}
+
+/// Bytes of a run, from its sizes. The factor of an AMD-ordered plane grid has about 8 n log₂ n entries; where
+/// functions reach over p cells, the separators are p of them wide, and entries (1 + p²)/2 times as many.
+double predicted_bytes(const Scene& scene, const PointSupports& supports, double unknowns, const Case::Grid& grid) {
   const double n = scene.basis->functions_per_cell();
   const double points = scene.points.size();
   const double cells = supports.cells();
@@ -18,10 +36,11 @@ double predicted_bytes(const Scene& scene, const PointSupports& supports, double
   const double support = 3.0 * n * 8.0 + 4.0;            // value, gradient, order
   const double block = 12.0 * block_entries + 60.0 * n;  // matrix and place, functions and pattern
   const double matrix = 5.0 * n * 2.0 * 12.0;            // an unknown's column, twice
-  const double factor = 8.0 * 8.0 * std::log2(std::max(unknowns, 2.0));
+  const double reach = grid.basis == Case::BasisType::bspline ? grid.degree : 1.0;
+  const double factor = 4.0 * (1.0 + reach * reach) * 8.0 * std::log2(std::max(unknowns, 2.0));
   constexpr double program = 2.2e7;
   return program + points * (state * 2.0 + support) + cells * block + unknowns * (matrix + factor) +
-         5.0 * scene.basis->grid().cells();
+         bytes_of_cell(grid.basis) * scene.basis->grid().cells();
 }
 
 std::string built(const Scene& scene) {
@@ -51,7 +70,9 @@ std::string left_out(const Case& problem) {
 }  // namespace
 
 std::string plan(const Case& problem) {
+  if (std::holds_alternative<Projection>(problem.analysis)) return plan_projection(problem);
   const Scene scene = build_scene(problem);
+  const Grid& grid = scene.basis->grid();
   const PointSupports supports = locate_points(*scene.basis, scene.points);
   std::vector<char> seen(static_cast<std::size_t>(scene.basis->functions()), 0);
   Index unknowns = 0;
@@ -60,10 +81,12 @@ std::string plan(const Case& problem) {
       if (!std::exchange(seen[static_cast<std::size_t>(f)], 1)) unknowns += 2;
   return fmt::format(
       "{}\n\nwill run\n{}\nwill not run\n{}\nsizes\n"
-      "  load steps          {}\n  grid                {} cells, {} with material\n  material points     {}\n"
+      "  load steps          {}\n  basis               {}\n  grid                {} elements of {} {}, {} cells with "
+      "material\n  material points     {}\n"
       "  unknowns            at most {}\n  predicted memory    {:.0f} MB\n",
-      problem.title, built(scene), left_out(problem), scene.load_steps, scene.basis->grid().cells(), supports.cells(),
-      scene.points.size(), unknowns, predicted_bytes(scene, supports, unknowns) / 1e6);
+      problem.title, built(scene), left_out(problem), scene.load_steps, name_of(problem.grid.basis),
+      grid.cells() / grid.parts(), grid.parts(), grid.parts() == 1 ? "cell" : "cells", supports.cells(),
+      scene.points.size(), unknowns, predicted_bytes(scene, supports, unknowns, problem.grid) / 1e6);
 }
 
 }  // namespace shoreline

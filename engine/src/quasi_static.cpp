@@ -74,18 +74,42 @@ void move_boundary(Scene& scene, const std::vector<Edge>& edges, const Eigen::Ma
     }
 }
 
-/// Forces of supports on grid lines, by piece; a component that two pieces hold counts for the first.
+/// Forces of supports on grid lines, (C.6), by piece; a condition of two pieces counts for the first.
 void add_grid_supports(const Scene& scene, const std::vector<Constraint>& constraints,
                        const Eigen::Matrix2Xd& increment, Workspace& work) {
   if (constraints.empty()) return;
   if (scene.loading == Loading::residual) work.grid_reactions.clear();
   const Eigen::Matrix2Xd force = work.system.assembler.reactions(work.system.blocks, increment);
+  const auto reaction = [&](int piece) -> Vec3& {
+    const std::string& name = scene.boundary[static_cast<std::size_t>(piece)].piece.name;
+    return work.grid_reactions.try_emplace(name, Vec3::Zero()).first->second;
+  };
   for (const Constraint& c : constraints) {
-    const auto& name = scene.boundary[static_cast<std::size_t>(c.piece)].piece.name;
-    const Vec2 held = force(c.component, c.function) * Vec2::Unit(c.component);
-    work.grid_reactions.try_emplace(name, Vec3::Zero()).first->second +=
-        resultant(scene.basis->control_point(c.function), held);
+    const double multiplier = force(c.component, c.function);
+    const auto part = [&](const ComponentTerm& term) {
+      return resultant(scene.basis->control_point(term.function),
+                       multiplier * term.coefficient * Vec2::Unit(term.component));
+    };
+    reaction(c.piece) += part({c.function, c.component, 1.0});
+    for (const ComponentTerm& m : c.masters) reaction(c.piece) -= part(m);
+    for (const PieceTerm& other : c.others) {
+      reaction(c.piece) -= part(other.term);
+      reaction(other.piece) += part(other.term);
+    }
   }
+}
+
+/// Points that are too few to integrate functions of a higher degree leave errors that no refinement removes. The parts
+/// of an element have points of their own, and functions that are linear or quadratic there.
+void warn_few_points(const Basis& basis, const PointSupports& supports, std::vector<std::string>& warnings) {
+  const int wanted = (basis.degree() + 1) * (basis.degree() + 1);
+  const double mean = static_cast<double>(supports.point.size()) / supports.cells();
+  if (basis.degree() < 2 || basis.grid().parts() > 1 || mean >= wanted) return;
+  warnings.push_back(fmt::format(
+      "{:.2g} material points a cell on average are too few for functions of degree {}, which need about {} "
+      "to be integrated: stresses are in error however small the cells are. Raise material_points.per_cell "
+      "to {} or more, or take a lower degree",
+      mean, basis.degree(), wanted, basis.degree() + 1));
 }
 
 void run_step(Scene& scene, int step, const QuasiStaticOptions& options, Workspace& work, RunRecord& record) {
@@ -93,6 +117,7 @@ void run_step(Scene& scene, int step, const QuasiStaticOptions& options, Workspa
   work.supports =
       clock.time("support", [&] { return locate_points(*scene.basis, scene.points, std::move(work.supports)); });
   const PointSupports& supports = work.supports;
+  if (step == 1) warn_few_points(*scene.basis, supports, record.warnings);
   const std::vector<Edge> edges = clock.time("boundary", [&] { return make_edges(scene, supports, record); });
   const double t = static_cast<double>(step) / scene.load_steps;
   const double t_before = static_cast<double>(step - 1) / scene.load_steps;

@@ -30,6 +30,15 @@ std::string errors_of(const ErrorNorms& errors) {
   return text;
 }
 
+std::string errors_of(const ProjectionErrors& errors) {
+  std::string text =
+      fmt::format("error of the projection: L2 {:.4e}, relative {}\n", errors.l2, number(errors.l2_relative));
+  if (errors.derivative_l2)
+    text += fmt::format("  of its derivatives: L2 {:.4e} (x), {:.4e} (y)\n", (*errors.derivative_l2)[0],
+                        (*errors.derivative_l2)[1]);
+  return text;
+}
+
 std::string fits_of(const Summary& summary) {
   std::string text = "\nprescribed displacements, error of the fit\n";
   for (const auto& [piece, error] : summary.displacement_fit)
@@ -58,10 +67,12 @@ std::string timings_of(const Summary& summary) {
 
 std::string report(const Summary& summary, const std::filesystem::path& output) {
   const auto plural = [](long n, const char* one) { return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s"); };
-  std::string text = fmt::format("{}: {}, {}, {}, {}, {}\n", summary.title, summary.completed ? "completed" : "failed",
-                                 plural(summary.steps, "load step"), plural(summary.material_points, "material point"),
+  std::string text = fmt::format("{}: {}, {}{}, {}, {}\n", summary.title, summary.completed ? "completed" : "failed",
+                                 summary.steps > 0 ? plural(summary.steps, "load step") + ", " : "",
+                                 plural(summary.material_points, "material point"),
                                  plural(summary.degrees_of_freedom, "unknown"), plural(summary.threads, "thread"));
   if (summary.errors) text += "\n" + errors_of(*summary.errors);
+  if (summary.projection_errors) text += "\n" + errors_of(*summary.projection_errors);
   text += fits_of(summary) + probes_of(summary) + "\n" + timings_of(summary);
   if (summary.condition_estimate) text += fmt::format("\ncondition estimate: {:.2e}\n", *summary.condition_estimate);
   if (!summary.warnings.empty()) text += "\n";

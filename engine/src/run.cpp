@@ -5,6 +5,8 @@
 #include <chrono>
 #include <variant>
 
+#include "make_basis.hpp"
+#include "projection_run.hpp"
 #include "shoreline/engine/failures.hpp"
 #include "shoreline/engine/linear_solver.hpp"
 #include "shoreline/engine/pictures.hpp"
@@ -126,7 +128,7 @@ class Saving {
 Summary start(const Case& problem, const Scene& scene, int threads) {
   Summary summary;
   summary.title = problem.title;
-  summary.basis = "bilinear";
+  name_basis(problem.grid, summary);
   summary.material_points = scene.points.size();
   summary.threads = threads;
   return summary;
@@ -144,15 +146,16 @@ int use_threads(int asked) {
 Summary run(const Case& problem, const RunOptions& options) {
   const auto start_time = std::chrono::steady_clock::now();
   const int threads = use_threads(problem.threads);
+  if (std::holds_alternative<Projection>(problem.analysis)) return run_projection(problem, options, threads);
   RunRecord record;
   Scene scene = record.phases.time("setup", [&] { return build_scene(problem); });
   Summary summary = start(problem, scene, threads);
 
   Saving saving(problem, options.output, scene, record);
-  Progress progress(problem.load_steps, options.quiet);
+  Progress progress(scene.load_steps, options.quiet);
   const auto after_step = [&](int step) {
     saving.after_step(step);
-    if (step < problem.load_steps) progress.begin(step + 1);
+    if (step < scene.load_steps) progress.begin(step + 1);
   };
   const auto finish = [&](bool completed, const std::string& message) {
     summary.completed = completed;

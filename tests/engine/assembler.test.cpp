@@ -22,6 +22,35 @@ std::vector<Constraint> random_constraints(test::Random& random) {
   return constraints;
 }
 
+/// The same, with values, and masters among the components that are free.
+std::vector<Constraint> constraints_with_masters(test::Random& random) {
+  std::vector<Constraint> constraints = random_constraints(random);
+  std::vector<char> free(2 * functions, 1);
+  for (const Constraint& c : constraints) free[static_cast<std::size_t>(2 * c.function + c.component)] = 0;
+  for (Constraint& c : constraints) {
+    c.value = random.uniform(-1.0, 1.0);
+    for (Index k = 0; k < 2 * functions; ++k)
+      if (free[static_cast<std::size_t>(k)] && random.uniform(0.0, 1.0) < 0.1)
+        c.masters.push_back({k / 2, k % 2, random.uniform(-1.0, 1.0)});
+  }
+  return constraints;
+}
+
+/// All components from the free ones: u = T w + g, (C.4).
+struct DenseConstraints {
+  Eigen::MatrixXd map = Eigen::MatrixXd::Identity(2 * functions, 2 * functions);  ///< T, and zero columns
+  Eigen::VectorXd value = Eigen::VectorXd::Zero(2 * functions);                   ///< g
+
+  explicit DenseConstraints(const std::vector<Constraint>& constraints) {
+    for (const Constraint& c : constraints) {
+      const Index slave = 2 * c.function + c.component;
+      map(slave, slave) = 0.0;
+      for (const ComponentTerm& m : c.masters) map(slave, 2 * m.function + m.component) = m.coefficient;
+      value[slave] = c.value;
+    }
+  }
+};
+
 /// Unknowns by their definition: components of functions in blocks, less constrained ones, ascending.
 std::vector<Index> expected_unknowns(const ElementBlocks& blocks, const std::vector<Constraint>& constraints) {
   std::vector<char> free(2 * functions, 0);
@@ -116,7 +145,7 @@ TEST_CASE("sums do not depend on the number of threads, to the last digit", "[en
   const ElementBlocks blocks = test::random_blocks(random, functions, 5000);
   REQUIRE(worth_threads(blocks.matrix.size()));
   Assembler assembler;
-  assembler.prepare(blocks, {{3, 1, 0}}, functions);
+  assembler.prepare(blocks, {{3, 1, 0}, {5, 0, 0, 0.2, {{6, 0, 0.3}, {6, 1, -0.7}}}}, functions);
   const int threads_before = omp_get_max_threads();
   SparseMatrix serial;
   SparseMatrix parallel;
@@ -176,4 +205,46 @@ TEST_CASE("prescribed values move to the right-hand side and come back in the in
     CHECK_THAT((force - expected(unknowns)).norm(), WithinAbs(0.0, 1e-13));
     CHECK(assembler.expand(Eigen::VectorXd::Zero(assembler.equations())).reshaped() == prescribed);
   }
+}
+
+TEST_CASE("with masters the system is that of the free components, and expands to all", "[engine][assembler]") {
+  test::Random random(7);
+  for (int draw = 0; draw < 30; ++draw) {
+    const ElementBlocks blocks = test::random_blocks(random, functions, 6);
+    const std::vector<Constraint> constraints = constraints_with_masters(random);
+    const DenseConstraints all(constraints);
+    Assembler assembler;
+    assembler.prepare(blocks, constraints, functions);
+    SparseMatrix matrix;
+    Eigen::VectorXd force;
+    assembler.assemble(blocks, matrix, force);
+    const test::DenseSystem system = test::dense(blocks, functions);
+    const Eigen::MatrixXd expected = all.map.transpose() * system.matrix * all.map;
+    const Eigen::VectorXd expected_force = all.map.transpose() * (system.force - system.matrix * all.value);
+    std::vector<Index> unknowns;
+    for (Index e = 0; e < assembler.equations(); ++e) unknowns.push_back(assembler.unknown(e));
+    CHECK_THAT((dense(matrix) - expected(unknowns, unknowns)).norm(), WithinAbs(0.0, 1e-12));
+    CHECK_THAT((force - expected_force(unknowns)).norm(), WithinAbs(0.0, 1e-12));
+    CHECK_THAT(expected.norm() - Eigen::MatrixXd(expected(unknowns, unknowns)).norm(), WithinAbs(0.0, 1e-12));
+
+    const Eigen::VectorXd solution =
+        Eigen::VectorXd::NullaryExpr(assembler.equations(), [&] { return random.uniform(-1.0, 1.0); });
+    Eigen::VectorXd free = Eigen::VectorXd::Zero(2 * functions);
+    free(unknowns) = solution;
+    const Eigen::VectorXd expanded = all.map * free + all.value;
+    CHECK_THAT((assembler.expand(solution).reshaped() - expanded).norm(), WithinAbs(0.0, 1e-13));
+  }
+}
+
+TEST_CASE("a pattern holds while masters and coefficients stay, whatever the values", "[engine][assembler]") {
+  test::Random random(8);
+  const ElementBlocks blocks = test::random_blocks(random, functions, 6);
+  const Index f = blocks.function[0];
+  const Index other = (f + 1) % functions;
+  Assembler assembler;
+  CHECK_FALSE(assembler.prepare(blocks, {{f, 0, 0, 1.0, {{other, 0, 0.5}}}}, functions));
+  CHECK(assembler.prepare(blocks, {{f, 0, 0, 2.0, {{other, 0, 0.5}}}}, functions));
+  CHECK_FALSE(assembler.prepare(blocks, {{f, 0, 0, 2.0, {{other, 0, 0.6}}}}, functions));
+  CHECK_FALSE(assembler.prepare(blocks, {{f, 0, 0, 2.0, {{other, 1, 0.6}}}}, functions));
+  CHECK_FALSE(assembler.prepare(blocks, {{f, 0, 0, 2.0}}, functions));
 }

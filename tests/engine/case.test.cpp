@@ -20,8 +20,8 @@ TEST_CASE("a case asks for nothing by itself", "[engine][case]") {
 TEST_CASE("a case is plane strain in one step of residual loading unless it says otherwise", "[engine][case]") {
   const Case problem;
   CHECK(problem.plane == Plane::strain);
-  CHECK(problem.loading == Loading::residual);
-  CHECK(problem.load_steps == 1);
+  CHECK(std::get<QuasiStatic>(problem.analysis).loading == Loading::residual);
+  CHECK(std::get<QuasiStatic>(problem.analysis).load_steps == 1);
   CHECK(problem.threads == 0);
   CHECK(problem.output.every == 1);
   CHECK(std::holds_alternative<Case::Free>(Case::Condition{}));

@@ -68,6 +68,8 @@ TEST_CASE("a formula knows whether it depends on place", "[engine][expression]")
   for (const char* formula : {"x", "2*y", "t+X", "sin(Y)"}) CHECK(Expression(formula).uses_place());
   for (const char* formula : {"t", "pi", "p*exp(t)", "max(t, 2)"})
     CHECK_FALSE(Expression(formula, {{"p", 1.0}}).uses_place());
+  CHECK(Expression("x*t").uses_time());
+  CHECK_FALSE(Expression("x*tan(y)").uses_time());
 }
 
 TEST_CASE("the decimal sign is a point in every locale", "[engine][expression]") {

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "../random.hpp"
+#include "../bases/meshes.hpp"
 #include "shoreline/bases/bilinear.hpp"
+#include "shoreline/bases/powell_sabin.hpp"
 #include "shoreline/engine/failures.hpp"
 
 using namespace shoreline;
@@ -66,6 +67,46 @@ TEST_CASE("every point is listed once, with its cell and the basis there", "[eng
     }
     CHECK(supports.first.back() == points.size());
   }
+}
+
+TEST_CASE("an element is active with all its parts as soon as one of them holds a point", "[engine][material_points]") {
+  test::Random random(3);
+  const PowellSabinBasis basis(test::lattice(4, 3, TrianglePattern::four));
+  for (int draw = 0; draw < 20; ++draw) {
+    const MaterialPoints points = random_points(random, basis.grid(), random.whole(1, 30));
+    const PointSupports supports = locate_points(basis, points);
+    std::vector<char> expected(static_cast<std::size_t>(basis.grid().cells()), 0);
+    for (const Index cell : supports.cell)
+      for (Index part = 0; part < 6; ++part) expected[static_cast<std::size_t>(cell / 6 * 6 + part)] = 1;
+    CHECK(supports.active == expected);
+    CHECK(std::ranges::count(supports.active, 1) > supports.cells());
+  }
+}
+
+TEST_CASE("the cell of a point on an edge depends neither on the order of points nor on the number of threads",
+          "[engine][material_points]") {
+  test::Random random(4);
+  const PowellSabinBasis basis(delaunay(test::jittered_points(6, 6, random)));
+  Eigen::Matrix2Xd position(2, 30000);  // more than one thread needs
+  for (Index p = 0; p < position.cols(); ++p) {
+    const auto corner = corners(basis.grid().mesh(), random.whole(0, basis.grid().cells() - 1));
+    const double s = random.whole(0, 4) / 4.0;  // on edges, vertices among them
+    position.col(p) = (1.0 - s) * corner[0] + s * corner[1];
+  }
+  const auto cell_of = [&](const Eigen::Matrix2Xd& places) {
+    const PointSupports supports = locate_points(basis, points_at(places, Eigen::VectorXd::Ones(places.cols())));
+    std::vector<Index> cell(static_cast<std::size_t>(places.cols()));
+    for (std::size_t c = 0; c < supports.cell.size(); ++c)
+      for (Index k = supports.first[c]; k < supports.first[c + 1]; ++k)
+        cell[static_cast<std::size_t>(supports.point[static_cast<std::size_t>(k)])] = supports.cell[c];
+    return cell;
+  };
+  const std::vector<Index> cell = cell_of(position);
+  std::vector<Index> backwards = cell_of(position.rowwise().reverse());
+  std::ranges::reverse(backwards);
+  CHECK(cell == backwards);
+  for (std::size_t p = 0; p < cell.size(); ++p)
+    REQUIRE(cell[p] == basis.grid().locate(position.col(static_cast<Index>(p)), 0));
 }
 
 TEST_CASE("points outside the grid are counted and the first is placed", "[engine][material_points]") {

@@ -71,6 +71,22 @@ TEST_CASE("a run gives a PNG picture, whatever the number of points, the motion 
   CHECK(std::filesystem::file_size(odd / "deformed.png") > 20000);
 }
 
+TEST_CASE("a projected field gives a PNG picture, with or without its error", "[engine][pictures]") {
+  const OutputFolder folder;
+  SampledField field{.position = Eigen::Matrix2Xd(2, 3), .value = Eigen::Vector3d(1, 2, 3), .triangle = {}};
+  field.position << 0, 1, 0, 0, 0, 1;
+  field.triangle = Eigen::Vector3i(0, 1, 2);
+  const QuadrilateralGrid cell(Vec2(0, 0), Vec2(1, 1), {1, 1});
+  std::uintmax_t size = 0;
+  for (const bool known : {false, true}) {
+    if (known) field.error = Eigen::Vector3d(0.5, 0, -0.5);
+    ResultsWriter(folder.path, "A field with $", cell).write(field);
+    REQUIRE(make_pictures(folder.path).value_or("") == "");
+    CHECK(std::filesystem::file_size(folder.path / "field.png") > size + 10000);  // one panel, then two
+    size = std::filesystem::file_size(folder.path / "field.png");
+  }
+}
+
 TEST_CASE("a script that fails gives its reason, not an exception", "[engine][pictures]") {
   const OutputFolder folder;
   CHECK_THAT(make_pictures(folder.path).value(), Contains("no picture") && Contains("results.h5"));

@@ -97,7 +97,7 @@ TEST_CASE("residual loading keeps the balance where a roller's piece turns as th
       const Essential held{.normal_only = roller, .method = method, .band = 0.01};
       Case problem = test::disc_case(1.0, 0.23, held);
       problem.body_force = {Quantity(4e4), Quantity(-9e4)};
-      problem.load_steps = 4;
+      std::get<QuasiStatic>(problem.analysis).load_steps = 4;
       problem.ghost = 1e-3;
       Scene scene = build_scene(problem);
       const RunRecord record = run(scene);
@@ -203,4 +203,22 @@ TEST_CASE("a condition estimate is made where it is asked for", "[engine][quasi_
   run_load_steps(scene, {.condition_estimate = true}, record);
   CHECK(record.condition_estimate.value() > 1.0);
   CHECK_FALSE(run({.cells = 4}).condition_estimate);
+}
+
+TEST_CASE("too few points for the degree of the functions are reported, with the number that they need",
+          "[engine][quasi_static]") {
+  const auto warnings = [](Case::BasisType basis, int per_cell) {
+    Case problem = test::compression_case({.cells = 4, .per_cell = per_cell, .ghost = 1e-3});
+    problem.grid.basis = basis;
+    Scene scene = build_scene(problem);
+    RunRecord record;
+    run_load_steps(scene, {}, record);
+    return record.warnings;
+  };
+  const std::vector<std::string> few = warnings(Case::BasisType::bspline, 2);
+  REQUIRE(few.size() == 1);
+  CHECK(few[0].find("material_points.per_cell to 3") != std::string::npos);
+  CHECK(warnings(Case::BasisType::bspline, 3).empty());
+  CHECK(warnings(Case::BasisType::powell_sabin, 1).empty());
+  CHECK(warnings(Case::BasisType::bilinear, 2).empty());
 }

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include "../../engine/src/motion_check.hpp"
+#include "../bodies_on_lines.hpp"
 #include "../scenes.hpp"
 #include "shoreline/engine/failures.hpp"
 
@@ -57,6 +58,18 @@ TEST_CASE("a body that nothing holds is refused with the motion that is free", "
     if (b.piece.name == "left") b.condition = Case::Free{};
   });
   CHECK_THAT(failure(turning), Contains("slide along (1, 0)") || Contains("slide along (-1, 0)"));
+}
+
+TEST_CASE("between rollers on inclined lines of the grid a body slides along them", "[engine][quasi_static]") {
+  test::Random random(1);
+  for (const test::Setting& setting : test::settings(random)) {
+    if (setting.angle == 0.0) continue;
+    CAPTURE(setting.name);
+    Case problem = test::body_on_lines(setting);
+    for (const std::size_t k : {0u, 2u})
+      problem.boundaries[k].condition = Essential{.normal_only = true, .method = EssentialMethod::grid};
+    CHECK_THAT(failure(problem), Contains("slide along (0.92, 0.39)") || Contains("slide along (-0.92, -0.39)"));
+  }
 }
 
 TEST_CASE("a part that nothing holds is found beside one that is held", "[engine][quasi_static]") {
@@ -186,7 +199,7 @@ TEST_CASE("a body whose edge comes to cross itself ends the run with step, piece
   problem.boundaries[7].condition = Case::Traction{std::array{Quantity(2e4), Quantity(0.0)}};
   problem.material_points = LatticeFill{{2, 2}, VolumeRule::clipped};
   problem.ghost = 1e-3;
-  problem.load_steps = 8;
+  std::get<QuasiStatic>(problem.analysis).load_steps = 8;
   Scene scene = build_scene(problem);
   RunRecord record;
   int saved = 0;

@@ -5,6 +5,17 @@
 using namespace shoreline;
 using Catch::Matchers::Contains;
 
+TEST_CASE("the report of a projection has its errors and no load steps", "[engine][report]") {
+  Summary summary;
+  summary.title = "Sines";
+  summary.completed = true;
+  summary.degrees_of_freedom = 27;
+  summary.projection_errors = ProjectionErrors{.l2 = 1.25e-3, .l2_relative = 2.5e-3, .derivative_l2 = {{0.5, 0.25}}};
+  CHECK_THAT(report(summary, "out"), Contains("Sines: completed, 0 material points, 27 unknowns") &&
+                                         Contains("L2 1.2500e-03, relative 2.500e-03") &&
+                                         Contains("5.0000e-01 (x), 2.5000e-01 (y)") && !Contains("load step"));
+}
+
 TEST_CASE("a report has sizes, errors, cost, warnings and the folder", "[engine][report]") {
   Summary summary;
   summary.title = "Square";

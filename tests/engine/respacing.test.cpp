@@ -44,7 +44,7 @@ Case graded_disc(int points, double respacing) {
     problem.boundaries[0].piece.points.emplace_back(std::cos(angle), std::sin(angle));
   }
   problem.body_force = {Quantity(Expression("f", {{"f", 3e-8}})), Quantity(Expression("f", {{"f", -1e-7}}))};
-  problem.load_steps = 4;
+  std::get<QuasiStatic>(problem.analysis).load_steps = 4;
   problem.ghost = 1e-3;
   problem.respacing = respacing;
   return problem;

@@ -6,17 +6,24 @@
 #include <unistd.h>
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <csignal>
 #include <fstream>
 #include <sstream>
 
 #include "output_folder.hpp"
-#include "shoreline/bases/quadrilateral_grid.hpp"
+#include "results_files.hpp"
+#include "shoreline/bases/mesh_generators.hpp"
+#include "shoreline/bases/powell_sabin.hpp"
 #include "shoreline/engine/failures.hpp"
 
 using namespace shoreline;
 using Catch::Matchers::Contains;
+using test::Dataset;
 using test::OutputFolder;
+using test::read;
+using test::text_attribute;
+using test::text_of;
 
 namespace {
 
@@ -39,45 +46,6 @@ SavedStep step(int number, Eigen::Index points = 3, const std::string& curve = "
           .curves = {{curve, counted(2, 2, 5000.25), counted(2, 5, 6000.25)}}};
 }
 
-/// A text attribute of an object; empty where there is none.
-std::string text_attribute(hid_t place, const char* path, const char* name) {
-  if (H5Aexists_by_name(place, path, name, H5P_DEFAULT) <= 0) return "";
-  const hid_t attribute = H5Aopen_by_name(place, path, name, H5P_DEFAULT, H5P_DEFAULT);
-  const hid_t type = H5Aget_type(attribute);
-  char* text = nullptr;
-  H5Aread(attribute, type, &text);
-  std::string copy = text;
-  H5free_memory(text);
-  H5Tclose(type);
-  H5Aclose(attribute);
-  return copy;
-}
-
-/// All numbers of a dataset, its shape and its unit.
-struct Dataset {
-  std::vector<hsize_t> shape;
-  std::vector<double> values;
-  std::string unit;
-};
-
-Dataset read(const std::filesystem::path& folder, const std::string& path) {
-  Dataset read;
-  const hid_t file = H5Fopen((folder / "results.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
-  REQUIRE(file >= 0);
-  const hid_t set = H5Dopen2(file, path.c_str(), H5P_DEFAULT);
-  REQUIRE(set >= 0);
-  const hid_t space = H5Dget_space(set);
-  read.shape.resize(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
-  H5Sget_simple_extent_dims(space, read.shape.data(), nullptr);
-  read.values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-  H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, read.values.data());
-  read.unit = text_attribute(file, path.c_str(), "unit");
-  H5Sclose(space);
-  H5Dclose(set);
-  H5Fclose(file);
-  return read;
-}
-
 /// The attribute "name" of every group in @p path.
 std::vector<std::string> names_in(const std::filesystem::path& folder, const std::string& path) {
   std::vector<std::string> names;
@@ -91,12 +59,6 @@ std::vector<std::string> names_in(const std::filesystem::path& folder, const std
   H5Gclose(group);
   H5Fclose(file);
   return names;
-}
-
-std::string text_of(const std::filesystem::path& file) {
-  std::stringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
 }
 
 std::size_t count(const std::string& text, const std::string& what) {
@@ -233,28 +195,41 @@ TEST_CASE("every array that results.xdmf names exists with the shape it says", "
   }
   const std::string xdmf = text_of(folder.path / "results.xdmf");
   CHECK(count(xdmf, "<Time Value=\"0.5\"/>") == 2);
-  const auto unescaped = [](std::string text) {
-    for (const auto& [xml, plain] : {std::pair("&lt;", "<"), {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}})
-      for (std::size_t at; (at = text.find(xml)) != std::string::npos;)
-        text.replace(at, std::string(xml).size(), plain);
-    return text;
-  };
   for (std::size_t at = xdmf.find('&'); at != std::string::npos; at = xdmf.find('&', at + 1)) {
     const std::string entity = xdmf.substr(at, xdmf.find(';', at) - at + 1);
     CHECK((entity == "&lt;" || entity == "&gt;" || entity == "&quot;" || entity == "&amp;"));
   }
   CHECK(names_in(folder.path, "steps/000001/curves") == std::vector<std::string>{name});
 
-  int arrays = 0;
-  for (std::size_t at = xdmf.find("Dimensions=\""); at != std::string::npos; at = xdmf.find("Dimensions=\"", at + 1)) {
-    std::stringstream shape(xdmf.substr(at + 12, xdmf.find('"', at + 12) - at - 12));
-    const std::size_t path = xdmf.find("results.h5:", at) + 11;
-    std::vector<hsize_t> expected;
-    for (hsize_t n; shape >> n;) expected.push_back(n);
-    CHECK(read(folder.path, unescaped(xdmf.substr(path, xdmf.find("</", path) - path))).shape == expected);
-    ++arrays;
-  }
-  CHECK(arrays == 2 * (6 + 2));
+  CHECK(test::check_shapes(folder.path) == 2 * (6 + 2));
+}
+
+TEST_CASE("a projected field is read as it was saved, and results.xdmf names its arrays", "[engine][results]") {
+  const OutputFolder folder;
+  SampledField field{.position = Eigen::Matrix2Xd(2, 4), .value = Eigen::Vector4d(1, 2, 3, 4), .triangle = {}};
+  field.position << 0, 1, 1, 0, 0, 0, 1, 1;
+  field.triangle = (Eigen::Matrix3Xi(3, 2) << 0, 0, 1, 2, 2, 3).finished();
+  ResultsWriter(folder.path, "title", grid).write(field);
+  CHECK(test::check_shapes(folder.path) == 3);
+  field.error = Eigen::Vector4d(0.5, 0, 0, -0.5);
+  ResultsWriter(folder.path, "title", grid).write(field);
+  CHECK(test::check_shapes(folder.path) == 4);
+  CHECK(read(folder.path, "field/value").values == std::vector<double>{1, 2, 3, 4});
+  CHECK(read(folder.path, "field/error").values == std::vector<double>{0.5, 0, 0, -0.5});
+  CHECK(read(folder.path, "field/position").values == std::vector<double>{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0});
+  CHECK(read(folder.path, "connectivity/triangles").values == std::vector<double>{0, 1, 2, 0, 2, 3});
+}
+
+TEST_CASE("the parts of a Powell-Sabin triangle are not drawn", "[engine][results]") {
+  const OutputFolder folder;
+  const PowellSabinBasis basis(triangulate(grid, TrianglePattern::diagonal));
+  const ResultsWriter writer(folder.path, "title", basis.grid());
+  const Dataset edges = read(folder.path, "grid/edges");
+  CHECK(edges.shape == std::vector<hsize_t>{12 * 6, 4});  // two halves a side of 12 triangles
+  double length = 0.0;
+  for (std::size_t e = 0; e < edges.values.size(); e += 4)
+    length += std::hypot(edges.values[e + 2] - edges.values[e], edges.values[e + 3] - edges.values[e + 1]);
+  CHECK(length == Approx(12 * (1.0 + std::sqrt(0.5))));
 }
 
 TEST_CASE("results.xdmf knows every step once the writer is gone", "[engine][results]") {
@@ -270,11 +245,13 @@ TEST_CASE("results.xdmf knows every step once the writer is gone", "[engine][res
 
 TEST_CASE("a new run removes the results of the old one", "[engine][results]") {
   const OutputFolder folder;
-  for (const char* name : {"summary.json", "results.xdmf", "deformed.png"}) std::ofstream(folder.path / name) << "old";
+  for (const char* name : {"summary.json", "results.xdmf", "deformed.png", "field.png"})
+    std::ofstream(folder.path / name) << "old";
   ResultsWriter(folder.path, "old", grid).write(step(3));
   const ResultsWriter writer(folder.path, "new", grid);
   CHECK_FALSE(std::filesystem::exists(folder.path / "summary.json"));
   CHECK_FALSE(std::filesystem::exists(folder.path / "deformed.png"));
+  CHECK_FALSE(std::filesystem::exists(folder.path / "field.png"));
   CHECK_FALSE(std::filesystem::exists(folder.path / "results.xdmf"));
   const hid_t file = H5Fopen((folder.path / "results.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   CHECK(H5Lexists(file, "steps/000003", H5P_DEFAULT) == 0);

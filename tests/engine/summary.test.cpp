@@ -133,3 +133,20 @@ TEST_CASE("a summary that cannot be written leaves the old one and says why", "[
   std::ifstream(folder.path / "summary.json") >> kept;
   CHECK(kept == "old");
 }
+
+TEST_CASE("the summary of a projection has its errors, and nothing of loads", "[engine][summary]") {
+  Summary summary;
+  summary.analysis = "projection";
+  summary.basis = "bspline";
+  summary.degree = 3;
+  summary.projection_errors = ProjectionErrors{.l2 = 0.5, .l2_relative = {}, .derivative_l2 = {}};
+  Json json = written(summary);
+  CHECK(json["degree"] == 3);
+  CHECK(json["errors"]["projection"] == Json{{"l2", 0.5}, {"l2_relative", nullptr}});
+  for (const char* key : {"reactions", "loads", "extended_share", "displacement_fit"}) CHECK_FALSE(json.contains(key));
+  summary.projection_errors->derivative_l2 = {1.5, 2.5};
+  json = written(summary);
+  CHECK(json["errors"]["projection"]["x_derivative_l2"] == 1.5);
+  CHECK(json["errors"]["projection"]["y_derivative_l2"] == 2.5);
+  CHECK_FALSE(written(Summary{}).contains("degree"));
+}

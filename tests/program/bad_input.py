@@ -8,7 +8,7 @@ import subprocess
 import sys
 import tempfile
 
-from wrong_cases import CASE, all_wrong_cases
+from wrong_cases import CASE, MESHES, SQUARE, all_wrong_cases, gmsh
 
 PROGRAM = os.path.abspath(sys.argv[1])
 
@@ -37,6 +37,9 @@ def state(folder):
 
 def wrong_files():
     """(name, arguments, words) for every wrong case, written to a file that the arguments name."""
+    for name, text in {"square.msh": gmsh(SQUARE, [(1, 2, 3), (1, 3, 4)]), **{f: t for f, (t, _) in MESHES.items()}}.items():
+        with open(name, "w", encoding="latin-1", newline="") as stream:
+            stream.write(text)
     for i, wrong in enumerate(all_wrong_cases()):
         file = f"wrong_{i}.json"
         with open(file, "wb") as stream:

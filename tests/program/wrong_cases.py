@@ -7,7 +7,8 @@ CASE = {
     "title": "every key",
     "analysis": {"type": "quasi_static", "plane": "strain", "load_steps": 2, "load": "t^2", "loading": "residual"},
     "material": {"type": "linear_elastic", "youngs_modulus": 1e7, "poissons_ratio": 0.2, "density": 2000.0},
-    "grid": {"cells": "quadrilateral", "basis": "bilinear", "lower": [-2, -2], "upper": [2, 2], "cell_size": 0.5},
+    "grid": {"cells": "quadrilateral", "basis": "bspline", "degree": 2, "lower": [-2, -2], "upper": [2, 2],
+             "cell_size": 0.5},
     "boundaries": [
         {"name": "bottom", "points": [[-1, 0], [0, 0], [1, 0]], "corners": [1],
          "condition": {"type": "roller", "method": "nitsche", "band": 0.01}},
@@ -35,15 +36,57 @@ CASE = {
     "output": {"every": 1, "pictures": False},
 }
 
-OTHERS = [("material_points", {"fill": "vertex", "across": [28, 8], "volumes": "lattice"}),
+SQUARE = [(-2, -2), (2, -2), (2, 2), (-2, 2)]
+
+
+def gmsh(vertices, triangles):
+    """A mesh in Gmsh's format 2.2; vertices count from 1."""
+    nodes = [f"{i + 1} {x} {y} 0" for i, (x, y) in enumerate(vertices)]
+    elements = [f"{i + 1} 2 2 1 1 {a} {b} {c}" for i, (a, b, c) in enumerate(triangles)]
+    return "\n".join(["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$Nodes", str(len(nodes)), *nodes, "$EndNodes",
+                      "$Elements", str(len(elements)), *elements, "$EndElements", ""])
+
+
+MESHES = {  # file: its text, in the message
+    "binary.msh": ("$MeshFormat\n2.2 1 8\n\1\0\0\0\n$EndMeshFormat\n", ["binary.msh:2", "Mesh.Binary = 0"]),
+    "old.msh": ("$MeshFormat\n1.0 0 8\n", ["old.msh:2", '"1.0"', "2.2 or 4.1"]),
+    "picture.msh": ("\x89PNG\r\n\x1a\n", ["picture.msh:1", "$MeshFormat"]),
+    "empty.msh": ("", ["empty.msh:1", "the file ends", "$MeshFormat"]),
+    "cut.msh": (gmsh(SQUARE, [(1, 2, 3)])[:80], ["cut.msh:", "expected"]),
+    "absurd.msh": (gmsh(SQUARE, [(1, 2, 3)]).replace("$Nodes\n4", "$Nodes\n999999999999"), ["absurd.msh:", "$EndNodes"]),
+    "points.msh": (gmsh(SQUARE, []), ["points.msh:", "no triangles"]),
+    "nan.msh": (gmsh([(0, 0), (1, "nan"), (1, 1)], [(1, 2, 3)]), ["nan.msh: ", "vertex 1 at (1, nan)", "not finite"]),
+    "twice.msh": (gmsh([*SQUARE, (2, 2)], [(1, 2, 3), (1, 5, 4)]), ["twice.msh: ", "vertex 2 and vertex 3 at (2, 2)"]),
+    "inverted.msh": (gmsh(SQUARE, [(1, 2, 3), (1, 4, 3)]), ["inverted.msh: ", "triangle 1 ", "clockwise"]),
+    "sliver.msh": (gmsh([(0, 0), (1, 0), (0.5, 0.001)], [(1, 2, 3)]), ["sliver.msh: ", "triangle 0 ", "0.11", "sliver"]),
+    "hanging.msh": (gmsh([*SQUARE, (0, 0)], [(1, 2, 3), (1, 5, 4), (5, 3, 4)]), ["hanging.msh: ", "(0, 0)", "hangs on"]),
+    "apart.msh": (gmsh([(0, 0), (1, 0), (0, 1), (5, 5), (6, 5), (5, 6)], [(1, 2, 3), (4, 5, 6)]),
+                  ["apart.msh: ", "triangle 1 ", "hang together"]),
+}
+
+PROJECTION = {
+    "title": "every key of a projection",
+    "analysis": {"type": "projection", "value": "p*x^2", "gradient": ["2*p*x", 0], "mass": "consistent"},
+    "grid": {"cells": "triangle", "basis": "powell_sabin", "lower": [0, 0], "upper": [2, 2], "cell_size": 1},
+    "constants": {"p": 3.0},
+    "solver": {"threads": 1},
+    "output": {"pictures": False},
+}
+
+OTHERS = [("grid", {"cells": "triangle", "basis": "linear", "pattern": "four", "lower": [0, 0], "upper": [1, 1],
+                    "cell_size": [1, 1]}),
+          ("grid", {"mesh": "square.msh", "cells": "triangle", "basis": "powell_sabin"}),
+          ("grid", {"points": SQUARE, "cells": "triangle", "basis": "linear"}),
+          ("material_points", {"fill": "vertex", "across": [28, 8], "volumes": "lattice"}),
           ("material_points", {"fill": "vertex", "per_cell": 2}),
           ("material_points", {"fill": "polar", "across": [9, 17], "centre": [0, 0], "volumes": "equal"}),
           ("exact", {"type": "plate_with_hole", "radius": 0.5, "far_field_stress": 1e6}),
           ("exact", {"type": "thick_cylinder", "inner_radius": 1.0, "outer_radius": 5.0, "pressure": 1e6})]
 
-OPTIONAL = {"title", "load_steps", "load", "loading", "density", "cells", "basis", "corners", "condition", "method", "band",
+OPTIONAL = {"title", "load_steps", "load", "loading", "density", "cells", "basis", "degree", "pattern", "corners", "condition", "method", "band",
             "fill", "volumes", "body_force", "gravity", "ghost", "constants", "exact", "probes", "tracking", "respace",
-            "centre", "solver", "threads", "diagnostics", "condition_estimate", "output", "every", "pictures", "hole", "p"}
+            "centre", "solver", "threads", "diagnostics", "condition_estimate", "output", "every", "pictures", "hole", "p",
+            "gradient", "mass"}
 
 
 class Wrong:
@@ -81,7 +124,7 @@ def keys(value, pointer=""):
 
 def one_of_several(key, among):
     """Whether a key stands for others that could be there in its place."""
-    families = [("name", {"points", "line", "arc", "circle"}), ("method", {"value", "normal"}),
+    families = [("mass", {"value", "data"}), ("name", {"points", "line", "arc", "circle"}), ("method", {"value", "normal"}),
                 ("fill", {"per_cell", "across"} if among.get("fill") == "vertex" else {})]
     return any(beside in among and key in family for beside, family in families)
 
@@ -97,8 +140,8 @@ def wrong_key(case, pointer, among):
         words = ['"type" is missing'] if tag else ["found unknown key", misspelt, "expected"]
         yield Wrong(f"misspelt {pointer}", text, parent, words, True)
     yield Wrong(f"mistyped {pointer}", replaced(path, None, case), pointer, ["found null", "expected"], True)
-    listed = key == "points" and "name" not in among
-    if (key not in OPTIONAL or one_of_several(key, among)) and not listed:
+    first = key in ("points", "mesh") and "name" not in among  # tells what the object is
+    if (key not in OPTIONAL or one_of_several(key, among)) and not first:
         text = changed(path, lambda at, last: at.pop(last), case)
         words = ["exactly one of"] if one_of_several(key, among) else [f'"{key}" is missing', "expected"]
         yield Wrong(f"missing {pointer}", text, parent, words, True)
@@ -107,6 +150,8 @@ def wrong_key(case, pointer, among):
 def every_key_misspelt_mistyped_missing():
     for pointer, among in keys(CASE):
         yield from wrong_key(CASE, pointer, among)
+    for pointer, among in keys(PROJECTION):
+        yield from wrong_key(PROJECTION, pointer, among)
     for place, value in OTHERS:
         for pointer, among in keys(value, f"/{place}"):
             yield from wrong_key({**CASE, place: value}, pointer, among)
@@ -115,7 +160,7 @@ def every_key_misspelt_mistyped_missing():
 def wrong_values():
     table = [  # path, value, in the message, whether the schema sees it
         ("title", 5, "a string", True),
-        ("analysis/type", "explicit_dynamics", '"quasi_static"', True),
+        ("analysis/type", "explicit_dynamics", '"quasi_static", "projection"', True),
         ("analysis/plane", "stres", 'nearest: "stress"', True),
         ("analysis/load_steps", 0, "whole number from 1", True),
         ("analysis/load_steps", -3, "whole number from 1", True),
@@ -132,8 +177,11 @@ def wrong_values():
         ("material/poissons_ratio", 0.5, "< 0.5", True),
         ("material/poissons_ratio", -1, "> -1", True),
         ("material/density", 0, "> 0", True),
-        ("grid/cells", "triangle", '"quadrilateral"', True),
-        ("grid/basis", "powell_sabin", '"bilinear"', True),
+        ("grid/cells", "hexagon", '"quadrilateral"', True),
+        ("grid/cells", "triangle", 'expected "quadrilateral"', False),
+        ("grid/basis", "bsplines", 'nearest: "bspline"', True),
+        ("grid/degree", 0, "from 1 to 3", True),
+        ("grid/degree", 4, "from 1 to 3", True),
         ("grid/lower", [0], "list of 2", True),
         ("grid/lower/0", 2e9, "1e+09", True),
         ("grid/upper", [0, 0, 0], "list of 2", True),
@@ -263,6 +311,89 @@ def wrong_together():
                 "/gravity", ["density"], False)
 
 
+def wrong_grids():
+    frame = {"lower": [-2, -2], "upper": [2, 2], "cell_size": 0.5}
+    line = [[0, 0], [1, 1], [2, 2]]
+    for grid, pointer, words, structural in [
+            ({**frame, "cells": "quadrilateral", "basis": "powell_sabin"}, "/cells", ['expected "triangle"', "remove"],
+             False),
+            ({**frame, "cells": "triangle", "basis": "bspline"}, "/cells", ['expected "quadrilateral"'], False),
+            ({**frame, "basis": "bilinear", "degree": 2}, "/degree", ["found a degree", '"bspline"'], False),
+            ({**frame, "cells": "triangle", "degree": 2}, "/degree", ["found a degree", '"bspline"'], False),
+            ({**frame, "pattern": "four"}, "/pattern", ["found a pattern", '"linear"'], False),
+            ({**frame, "basis": "linear", "pattern": "fuor"}, "/pattern", ['nearest: "four"'], True),
+            ({**frame, "mesh": "square.msh"}, "/lower", ['"lower" beside "mesh"'], True),
+            ({**frame, "points": SQUARE}, "/lower", ['"lower" beside "points"'], True),
+            ({"mesh": "square.msh", "cell_size": 0.5}, "/cell_size", ['"cell_size" beside "mesh"'], True),
+            ({"mesh": "square.msh", "points": SQUARE}, "/points", ['"points" beside "mesh"'], True),
+            ({"mesh": "square.msh", "basis": "linear", "pattern": "four"}, "/pattern", ['beside "mesh"'], True),
+            ({"mesh": "square.msh", "basis": "bspline"}, "/basis", ['"powell_sabin"'], True),
+            ({"mesh": "square.msh", "cells": "quadrilateral"}, "/cells", ['"triangle"'], True),
+            ({**frame, "basis": "linear", "cell_size": [0.001, 0.1]}, "/cell_size", ["0.573 degrees", "at least 1"],
+             False),
+            ({**frame, "basis": "powell_sabin", "cell_size": 1e-3}, "/cell_size", ["of 12 triangles = 1.92e+08"], False),
+            ({"mesh": "missing.msh"}, "/mesh", ["missing.msh: ", "No such file", "Gmsh"], False),
+            ({"mesh": "."}, "/mesh", ["found a folder", "Gmsh"], False),
+            ({"points": [[0, 0], [1, 0]]}, "/points", ["at least 3"], True),
+            ({"points": line}, "/points", ["one line"], False),
+            ({"points": [*SQUARE, SQUARE[0]]}, "/points", ["vertex ", " at (-2, -2)"], False)]:
+        yield Wrong(f"grid = {grid}", replaced("grid", grid), "/grid" + pointer, words, structural)
+    for file, (_, words) in MESHES.items():
+        yield Wrong(file, replaced("grid", {"mesh": file}), "/grid/mesh", words, False)
+    square = {**CASE, "grid": {"mesh": "square.msh"}}
+    yield Wrong("vertices per cell on a mesh", replaced("material_points", {"fill": "vertex", "per_cell": 2}, square),
+                "/material_points/per_cell", ["mesh", '"across"'], False)
+    yield Wrong("two numbers a triangle", replaced("material_points", {"per_cell": [2, 3]}, square),
+                "/material_points/per_cell", ["found [2,3]", "one number"], False)
+    many = {**CASE, "grid": {**frame, "cell_size": 0.004, "basis": "linear"}}
+    yield Wrong("too many points in triangles", replaced("material_points", {"per_cell": 23}, many),
+                "/material_points/per_cell", ["1.06e+09 points"], False)
+
+
+def wrong_projections():
+    points = {"points": [[0.6, 0.3], [1.6, 0.3]], "volumes": [1, 1]}
+    outline = [{"name": "edge", "circle": {"centre": [1, 1], "radius": 0.5}}]
+    held = [{**outline[0], "condition": {"type": "fixed"}}]
+    value = PROJECTION["analysis"]["value"]
+    for name, more, pointer, words, structural in [
+            *[(f"projection with {key}", {key: CASE[key]}, f"/{key}", ["expected none", '"projection"'], True)
+              for key in ("material", "body_force", "gravity", "ghost", "exact", "probes", "tracking", "diagnostics")],
+            ("load steps", {"analysis": {"type": "projection", "value": 1, "load_steps": 2}}, "/analysis",
+             ['unknown key "load_steps"'], True),
+            ("saved steps", {"output": {"every": 2}}, "/output", ['unknown key "every"'], True),
+            ("value and data", {"analysis": {"type": "projection", "value": 1, "data": [1]}}, "/analysis",
+             ["exactly one of"], True),
+            ("an unknown mass", {"analysis": {"type": "projection", "value": 1, "mass": "lmped"}}, "/analysis/mass",
+             ['nearest: "lumped"'], True),
+            ("time", {"analysis": {"type": "projection", "value": "x*t"}}, "/analysis/value", ["depends on t"], False),
+            ("a wrong formula", {"analysis": {"type": "projection", "value": "q*x"}}, "/analysis/value",
+             ["character 1"], False),
+            ("one slope", {"analysis": {"type": "projection", "value": value, "gradient": [1]}}, "/analysis/gradient",
+             ["list of 2"], True),
+            ("data of no points", {"analysis": {"type": "projection", "data": [1]}}, "/analysis/data",
+             ["found 1 numbers", "0 listed points"], False),
+            ("too few data", {"analysis": {"type": "projection", "data": [1]}, "material_points": points},
+             "/analysis/data", ["found 1 numbers", "2 listed points"], False),
+            ("a gradient of data", {"analysis": {"type": "projection", "data": [1, 2], "gradient": [0, 0]},
+                                    "material_points": points}, "/analysis/gradient", ["beside \"data\""], False),
+            ("a fill without outline", {"material_points": {"per_cell": 2}}, "/material_points", ['"boundaries"'], False),
+            ("an outline without fill", {"boundaries": outline}, "/boundaries", ["without a fill"], False),
+            ("an outline around points", {"boundaries": outline, "material_points": points}, "/boundaries",
+             ["without a fill"], False),
+            ("a condition", {"boundaries": held, "material_points": {"per_cell": 2}}, "/boundaries/0/condition",
+             ["expected none"], False),
+            ("a point outside", {"material_points": {**points, "points": [[0.5, 0.5], [9, 9]]}},
+             "/material_points/points", ["point 1 at (9, 9)", "outside the grid"], False),
+            ("too few points", {"material_points": points, "grid": {"lower": [0, 0], "upper": [2, 2], "cell_size": 1}},
+             "/material_points", ["singular", "function ", "more points", "lumped"], False),
+            ("points on one edge", {"material_points": {**points, "points": [[0.5, 0], [1.5, 0]]}}, "/material_points",
+             ["function ", "sees no point", "spread points"], False),
+            ("an outline outside", {"boundaries": [{"name": "edge", "circle": {"centre": [2, 1], "radius": 0.5}}],
+                                    "material_points": {"per_cell": 2}}, "/boundaries/0", ["grid.upper"], False)]:
+        yield Wrong(name, json.dumps({**PROJECTION, **more}), pointer, words, structural)
+    yield Wrong("a value in load steps", replaced("analysis/value", 1), "/analysis", ['unknown key "value"'], True)
+
+
 def wrong_texts():
     whole = json.dumps(CASE)
     yield Wrong("empty", "", "", ["empty"], False)
@@ -282,5 +413,6 @@ def wrong_texts():
 
 
 def all_wrong_cases():
-    for family in (every_key_misspelt_mistyped_missing, wrong_values, wrong_together, wrong_texts):
+    for family in (every_key_misspelt_mistyped_missing, wrong_values, wrong_together, wrong_grids,
+                   wrong_projections, wrong_texts):
         yield from family()

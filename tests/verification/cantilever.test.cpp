@@ -137,10 +137,10 @@ TEST_CASE("a uniform pressure around a hole keeps its balance however the hole d
   hole.name = "hole";
   problem.boundaries = {{sides, Essential{}}, {hole, Case::Pressure{Quantity(4e5)}}};
   problem.material_points = LatticeFill{{4, 4}, VolumeRule::clipped};
-  problem.load_steps = 5;
+  std::get<QuasiStatic>(problem.analysis).load_steps = 5;
   problem.ghost = 1e-3;
   for (const Loading loading : {Loading::residual, Loading::incremental}) {
-    problem.loading = loading;
+    std::get<QuasiStatic>(problem.analysis).loading = loading;
     Scene scene = build_scene(problem);
     RunRecord record;
     const double integral = 4e5 * 2.0 * 3.14159 * 0.35;

@@ -62,11 +62,11 @@ std::vector<int> read_corners(const Node& node, const Piece& piece) {
   return {corners.begin(), corners.end()};
 }
 
-Essential read_essential(const Node& node) {
+Essential read_essential(const Node& node, const Known& known) {
   Essential essential{.normal_only = node["type"].is("roller") || node.has("normal")};
   if (node["method"].is("nitsche")) {
     essential.method = EssentialMethod::nitsche;
-    essential.band = 0.01;
+    essential.band = known.nitsche_band;
   } else if (node["method"].is("grid")) {
     essential.method = EssentialMethod::grid;
     if (node.has("band")) node["band"].place.fail("found a band, expected none with \"method\": \"grid\"");
@@ -75,28 +75,22 @@ Essential read_essential(const Node& node) {
   return essential;
 }
 
-/// What conditions may refer to.
-struct Known {
-  const Constants& constants;
-  bool exact;
-
-  /// Whether a value is that of the exact solution.
-  [[nodiscard]] bool from_exact(const Node& value) const {
-    if (value.is("exact") && !exact)
-      value.place.fail("found \"exact\", expected the key \"exact\" in the case, which says what is exact");
-    return value.is("exact");
-  }
-};
+/// Whether a value is that of the exact solution.
+bool from_exact(const Node& value, const Known& known) {
+  if (value.is("exact") && !known.exact)
+    value.place.fail("found \"exact\", expected the key \"exact\" in the case, which says what is exact");
+  return value.is("exact");
+}
 
 Case::Traction read_traction(const Node& value, const Known& known) {
-  if (known.from_exact(value)) return {Case::FromExact{}};
+  if (from_exact(value, known)) return {Case::FromExact{}};
   return {read_pair(value, known.constants)};
 }
 
 Case::Displacement read_displacement(const Node& node, const Known& known) {
-  const Essential support = read_essential(node);
+  const Essential support = read_essential(node, known);
   const Node value = node[support.normal_only ? "normal" : "value"];
-  if (known.from_exact(value)) return {Case::FromExact{}, support};
+  if (from_exact(value, known)) return {Case::FromExact{}, support};
   if (support.normal_only) return {read_quantity(value, known.constants), support};
   return {read_pair(value, known.constants), support};
 }
@@ -105,7 +99,7 @@ Case::Condition read_condition(const Node& node, const Known& known) {
   if (node["type"].is("traction")) return read_traction(node["value"], known);
   if (node["type"].is("pressure")) return Case::Pressure{read_quantity(node["value"], known.constants)};
   if (node["type"].is("displacement")) return read_displacement(node, known);
-  return read_essential(node);
+  return read_essential(node, known);
 }
 
 }  // namespace
@@ -126,7 +120,7 @@ Expression read_expression(const Node& node, const Constants& constants) {
   });
 }
 
-std::vector<Case::Boundary> read_boundaries(const Node& node, const Constants& constants, bool has_exact) {
+std::vector<Case::Boundary> read_boundaries(const Node& node, const Known& known) {
   std::vector<Case::Boundary> boundaries;
   std::map<std::string, std::size_t> seen;
   for (std::size_t i = 0; i < node.size(); ++i) {
@@ -138,7 +132,7 @@ std::vector<Case::Boundary> read_boundaries(const Node& node, const Constants& c
       entry["name"].place.fail(fmt::format("found \"{}\", the name of boundary {} too, expected another",
                                            boundary.piece.name, before->second));
     boundary.piece.corners = read_corners(entry["corners"], boundary.piece);
-    if (entry.has("condition")) boundary.condition = read_condition(entry["condition"], {constants, has_exact});
+    if (entry.has("condition")) boundary.condition = read_condition(entry["condition"], known);
     boundaries.push_back(std::move(boundary));
   }
   return boundaries;

@@ -19,10 +19,15 @@ using Constants = std::map<std::string, double>;
 /// A formula, or a number that does not ramp.
 [[nodiscard]] Expression read_expression(const Node& node, const Constants& constants);
 
-/// @param has_exact  whether the case has an exact solution, to which conditions may refer
+/// What conditions refer to.
+struct Known {
+  const Constants& constants;
+  bool exact;           ///< whether the case has an exact solution
+  double nitsche_band;  ///< default δ/h of Nitsche's method
+};
+
 /// @throws CaseError for points that make no piece, names that repeat, a band where there is none, the value of an
-/// exact
-///         solution where there is none
-[[nodiscard]] std::vector<Case::Boundary> read_boundaries(const Node& node, const Constants& constants, bool has_exact);
+///         exact solution where there is none
+[[nodiscard]] std::vector<Case::Boundary> read_boundaries(const Node& node, const Known& known);
 
 }  // namespace shoreline

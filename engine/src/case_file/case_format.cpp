@@ -29,8 +29,7 @@ and expressions are taken as they are, numbers among them.
 **On the command line** `--set path=value` overrides or adds any key by its dotted path, list entries by number or by
 their `name`: `--set grid.cell_size=0.0625 --set boundaries.outer.condition.band=1e-6`. The value is JSON, or a bare
 word.
-
-## The case)";
+)";
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -9,8 +10,11 @@
 #include <iterator>
 
 #include "boundary_reader.hpp"
+#include "grid_reader.hpp"
 #include "keys.hpp"
 #include "overrides.hpp"
+#include "shoreline/bases/powell_sabin_refinement.hpp"
+#include "shoreline/engine/defaults.hpp"
 
 namespace shoreline {
 namespace {
@@ -42,37 +46,6 @@ Case::Material read_material(const Node& node) {
   return material;
 }
 
-/// A value given once for both directions, or once each.
-template <class T>
-std::array<T, 2> pair_of(const Node& node) {
-  if (node.value.is_array()) return node.as<std::array<T, 2>>();
-  return {node.as<T>(), node.as<T>()};
-}
-
-/// Columns and rows that cover the grid; as doubles, which hold any number of them.
-Vec2 whole_cells(const Case::Grid& grid) {
-  return ((grid.upper - grid.lower).cwiseQuotient(grid.cell_size).array() - 1e-9).ceil().max(1.0);
-}
-
-Case::Grid read_grid(const Node& node) {
-  constexpr double most = 1e8;
-  const auto size = pair_of<double>(node["cell_size"]);
-  const Case::Grid grid{node["lower"].vector(), node["upper"].vector(), {size[0], size[1]}};
-  for (const Eigen::Index axis : {0, 1})
-    if (grid.upper[axis] <= grid.lower[axis])
-      node["upper"]
-          .entry(static_cast<std::size_t>(axis))
-          .place.fail(
-              fmt::format("found {}, expected more than {}, the lower end", grid.upper[axis], grid.lower[axis]));
-  const Vec2 cells = whole_cells(grid);
-  if (!(cells.prod() <= most))
-    node["cell_size"].place.fail(
-        fmt::format("found {}, which makes {:.3g} x {:.3g} = {:.3g} cells, expected at most "
-                    "{:g}; enlarge cell_size or shrink the grid",
-                    node["cell_size"].value.dump(), cells.x(), cells.y(), cells.prod(), most));
-  return grid;
-}
-
 std::vector<Case::ListedPoint> read_listed_points(const Node& node) {
   if (node["points"].size() != node["volumes"].size())
     node["volumes"].place.fail(fmt::format("found {} volumes, expected one for each of {} points",
@@ -88,29 +61,44 @@ VolumeRule read_volumes(const Node& node) {
   return node.is("equal") ? VolumeRule::equal : VolumeRule::clipped;
 }
 
-/// Refuses a lattice of more points than a machine holds.
-/// @param cells  that it may fill
-void check_count(const Node& node, const std::array<int, 2>& count, double cells) {
+/// Refuses more points than a machine holds.
+/// @param points  that there may be
+void check_count(const Node& node, double points) {
   constexpr double most = 1e9;
-  const double points = cells * count[0] * count[1];
   if (points > most)
     node.place.fail(fmt::format("found {}, up to {:.3g} points, expected at most {:g}; take fewer, or larger cells",
                                 node.value.dump(), points, most));
 }
 
+LatticeFill read_lattice(const Node& node, const Case::Grid& grid) {
+  const auto per_cell = pair_of<int>(node["per_cell"]);
+  if (has_triangles(grid.basis) && per_cell[0] != per_cell[1])
+    node["per_cell"].place.fail(fmt::format("found {}, expected one number: triangles are cut alike in all directions",
+                                            node["per_cell"].value.dump()));
+  const double half = std::ceil(0.5 * per_cell[0]);  // of a side, on each part of a Powell-Sabin triangle
+  const bool parts = grid.basis == Case::BasisType::powell_sabin;
+  check_count(node["per_cell"],
+              cells_to_fill(grid) * (parts ? powell_sabin_parts * half * half : 1.0 * per_cell[0] * per_cell[1]));
+  return {per_cell, read_volumes(node["volumes"])};
+}
+
+VertexFill read_vertex(const Node& node, const Case::Grid& grid) {
+  const bool across = node.has("across");
+  const auto count = pair_of<int>(node[across ? "across" : "per_cell"]);
+  if (!across && grid.mesh)
+    node["per_cell"].place.fail(
+        "found points per cell on a mesh without rectangles, which has no cell size; expected \"across\"");
+  check_count(node[across ? "across" : "per_cell"], (across ? 1.0 : rectangles_of(grid).prod()) * count[0] * count[1]);
+  return {count, across, read_volumes(node["volumes"])};
+}
+
 Case::MaterialPoints read_material_points(const Node& node, const Case::Grid& grid) {
   if (node.has("points")) return read_listed_points(node);
-  const VolumeRule volumes = read_volumes(node["volumes"]);
-  if (node.has("per_cell")) {
-    const auto per_cell = pair_of<int>(node["per_cell"]);
-    check_count(node["per_cell"], per_cell, whole_cells(grid).prod());
-    if (node["fill"].is("vertex")) return VertexFill{per_cell, false, volumes};
-    return LatticeFill{per_cell, volumes};
-  }
+  if (node["fill"].is("lattice")) return read_lattice(node, grid);
+  if (node["fill"].is("vertex")) return read_vertex(node, grid);
   const auto across = pair_of<int>(node["across"]);
-  check_count(node["across"], across, 1.0);
-  if (node["fill"].is("vertex")) return VertexFill{across, true, volumes};
-  return PolarFill{node["centre"].vector(), across, volumes};
+  check_count(node["across"], 1.0 * across[0] * across[1]);
+  return PolarFill{node["centre"].vector(), across, read_volumes(node["volumes"])};
 }
 
 Case::Exact read_exact(const Node& node, const Constants& constants) {
@@ -128,15 +116,26 @@ Case::Exact read_exact(const Node& node, const Constants& constants) {
                                 {read("stress", 0), read("stress", 1), read("stress", 2)}};
 }
 
-/// γ that the bilinear basis needs where Nitsche's method is used, so that the system stays positive definite.
-double ghost_by_default(const std::vector<Case::Boundary>& boundaries) {
-  const auto uses_nitsche =
-      Overloaded{[](const Essential& held) { return held.method == EssentialMethod::nitsche; },
-                 [](const Case::Displacement& held) { return held.support.method == EssentialMethod::nitsche; },
-                 [](const auto&) { return false; }};
-  for (const Case::Boundary& boundary : boundaries)
-    if (std::visit(uses_nitsche, boundary.condition)) return 1e-3;
-  return 0.0;
+/// How a piece is held; none that is not.
+std::optional<EssentialMethod> method_of(const Case::Boundary& boundary) {
+  using Method = std::optional<EssentialMethod>;
+  return std::visit(Overloaded{[](const Essential& held) { return Method(held.method); },
+                               [](const Case::Displacement& held) { return Method(held.support.method); },
+                               [](const auto&) { return Method(); }},
+                    boundary.condition);
+}
+
+/// γ of the basis where the system needs it to stay positive definite: for Nitsche's method, and for smooth bases,
+/// whose functions reach so far over the edge of the body that some are all but unsupported, unless the body is held
+/// on grid lines all around.
+double ghost_by_default(const std::vector<Case::Boundary>& boundaries, const Case::Grid& grid) {
+  const bool smooth =
+      grid.basis == Case::BasisType::powell_sabin || (grid.basis == Case::BasisType::bspline && grid.degree > 1);
+  const bool needed = std::ranges::any_of(boundaries, [&](const Case::Boundary& boundary) {
+    const auto method = method_of(boundary);
+    return smooth ? method != EssentialMethod::grid : method == EssentialMethod::nitsche;
+  });
+  return needed ? ghost_for_nitsche(grid.basis, grid.degree) : 0.0;
 }
 
 std::vector<Case::Probe> read_probes(const Node& node) {
@@ -161,6 +160,62 @@ Expression read_load(const Node& node, const Constants& constants) {
   return load;
 }
 
+QuasiStatic read_quasi_static(const Node& node, const Constants& constants) {
+  QuasiStatic analysis{
+      .loading = node["loading"].is("residual") ? Loading::residual : Loading::incremental,
+      .load_steps = node["load_steps"].as<int>(),
+  };
+  if (node.has("load")) analysis.load = read_load(node["load"], constants);
+  return analysis;
+}
+
+/// Refuses what a projection cannot use of what stands beside it.
+void check_projection(const Node& root) {
+  const Node analysis = root["analysis"];
+  const bool fill = root.has("material_points") && !root["material_points"].has("points");
+  if (fill && !root.has("boundaries"))
+    root["material_points"].place.fail("found a fill, expected the key \"boundaries\" beside it, the outline to fill");
+  if (!fill && root.has("boundaries"))
+    root["boundaries"].place.fail("found boundaries, expected none without a fill of \"material_points\"");
+  if (root.has("boundaries"))
+    for (std::size_t i = 0; i < root["boundaries"].size(); ++i)
+      if (const Node piece = root["boundaries"].entry(i); piece.has("condition"))
+        piece["condition"].place.fail("found a condition, expected none: a projection knows the outline alone");
+  if (!analysis.has("data")) return;
+  if (analysis.has("gradient"))
+    analysis["gradient"].place.fail("found a gradient, expected none beside \"data\"; it goes with \"value\"");
+  const std::size_t points = fill || !root.has("material_points") ? 0 : root["material_points"]["points"].size();
+  if (analysis["data"].size() != points)
+    analysis["data"].place.fail(
+        fmt::format("found {} numbers, expected one for each of {} listed points of "
+                    "\"material_points\"",
+                    analysis["data"].size(), points));
+}
+
+Projection read_projection(const Node& root, const Constants& constants) {
+  check_projection(root);
+  const Node analysis = root["analysis"];
+  const auto read = [&](const Node& node) {
+    Expression expression = read_expression(node, constants);
+    if (expression.uses_time())
+      node.place.fail(
+          fmt::format("found {}, which depends on t, expected a formula of x and y", described(node.value)));
+    return expression;
+  };
+  Projection projection{.value = std::vector<double>{},
+                        .mass = analysis["mass"].is("lumped") ? Mass::lumped : Mass::consistent,
+                        .at_points = root.has("material_points")};
+  if (analysis.has("data"))
+    projection.value = analysis["data"].as<std::vector<double>>();
+  else
+    projection.value = read(analysis["value"]);
+  if (analysis.has("gradient")) {
+    const Node gradient = analysis["gradient"];
+    projection.gradient = {read(gradient.entry(0)), read(gradient.entry(1))};
+  }
+  return projection;
+}
+
 void read_loads(const Node& root, const Constants& constants, Case& problem) {
   if (root.has("body_force")) problem.body_force = read_pair(root["body_force"], constants);
   if (root.has("gravity")) {
@@ -168,34 +223,39 @@ void read_loads(const Node& root, const Constants& constants, Case& problem) {
     if (!problem.material.density)
       root["gravity"].place.fail("found gravity, expected \"density\" in /material beside it");
   }
-  if (root["analysis"].has("load")) problem.load = read_load(root["analysis"]["load"], constants);
   if (root.has("exact")) problem.exact = read_exact(root["exact"], constants);
 }
 
-void read_settings(const Node& root, Case& problem) {
-  const Node analysis = root["analysis"];
-  problem.plane = analysis["plane"].is("strain") ? Plane::strain : Plane::stress;
-  problem.loading = analysis["loading"].is("residual") ? Loading::residual : Loading::incremental;
-  problem.load_steps = analysis["load_steps"].as<int>();
-  problem.threads = root["solver"]["threads"].as<int>();
+/// What load steps need beside grid, outline and points.
+void read_load_steps(const Node& root, const Constants& constants, Case& problem) {
+  problem.plane = root["analysis"]["plane"].is("strain") ? Plane::strain : Plane::stress;
+  problem.analysis = read_quasi_static(root["analysis"], constants);
+  problem.material = read_material(root["material"]);
+  problem.ghost = root.has("ghost") ? root["ghost"].as<double>() : ghost_by_default(problem.boundaries, problem.grid);
+  read_loads(root, constants, problem);
+  if (root.has("probes")) problem.probes = read_probes(root["probes"]);
+  if (root["tracking"].has("respace")) problem.respacing = root["tracking"]["respace"].as<double>();
   problem.condition_estimate = root["diagnostics"]["condition_estimate"].as<bool>();
-  problem.output = {root["output"]["every"].as<int>(), root["output"]["pictures"].as<bool>()};
+  problem.output.every = root["output"]["every"].as<int>();
 }
 
 Case case_of(const Node& root, const std::filesystem::path& file) {
   Case problem;
   problem.file = file;
   problem.title = root.has("title") ? root["title"].as<std::string>() : file.stem().string();
-  read_settings(root, problem);
+  problem.threads = root["solver"]["threads"].as<int>();
+  problem.output.pictures = root["output"]["pictures"].as<bool>();
   const Constants constants = read_constants(root["constants"]);
-  problem.material = read_material(root["material"]);
-  problem.grid = read_grid(root["grid"]);
-  problem.boundaries = read_boundaries(root["boundaries"], constants, root.has("exact"));
-  problem.material_points = read_material_points(root["material_points"], problem.grid);
-  problem.ghost = root.has("ghost") ? root["ghost"].as<double>() : ghost_by_default(problem.boundaries);
-  read_loads(root, constants, problem);
-  if (root.has("probes")) problem.probes = read_probes(root["probes"]);
-  if (root["tracking"].has("respace")) problem.respacing = root["tracking"]["respace"].as<double>();
+  problem.grid = read_grid(root["grid"], file.parent_path());
+  if (root.has("boundaries"))
+    problem.boundaries =
+        read_boundaries(root["boundaries"], {constants, root.has("exact"), nitsche_band(problem.grid.basis)});
+  if (root.has("material_points"))
+    problem.material_points = read_material_points(root["material_points"], problem.grid);
+  if (root["analysis"]["type"].is("projection"))
+    problem.analysis = read_projection(root, constants);
+  else
+    read_load_steps(root, constants, problem);
   return problem;
 }
 

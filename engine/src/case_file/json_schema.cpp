@@ -47,6 +47,16 @@ Json schema_of(const Tagged& tagged) {
   return json;
 }
 
+Json schema_of(const Depending& depending) {
+  Json json = {{"type", "object"}};
+  for (const auto& [tag, object] : depending.alternatives) {
+    Json one = schema_of(object);
+    one["allOf"] = {{{"properties", {{depending.on, {{"properties", {{"type", {{"const", tag}}}}}}}}}}};
+    json["oneOf"].push_back(one);
+  }
+  return json;
+}
+
 Json schema_of(const List& list) {
   return {
       {"type", "array"}, {"items", schema_of(*list.entry)}, {"minItems", list.at_least}, {"maxItems", list.at_most}};

@@ -27,6 +27,15 @@ bool fits_type(const Schema& schema, const Json& value) {
       schema.kind);
 }
 
+/// The alternative that the tag of a value names; else the first.
+const std::pair<std::string, Object>& alternative(const Depending& depending, const Json& value) {
+  const Json tag = value.value(depending.on, Json::object());
+  const auto meant = std::ranges::find_if(depending.alternatives, [&](const auto& one) {
+    return tag.is_object() && tag.value("type", Json()) == one.first;
+  });
+  return meant == depending.alternatives.end() ? depending.alternatives.front() : *meant;
+}
+
 class Checker {
  public:
   explicit Checker(std::string file) : file_(std::move(file)) {}
@@ -92,6 +101,12 @@ class Checker {
     const Schema& meant = alternative(either, value);
     const bool object = value.is_object() && std::holds_alternative<Object>(meant.kind);  // says which key it lacks
     expect(object || fits_type(meant, value), schema, value);
+    for (const Schema& schema_of_other : either.alternatives)
+      if (const auto* other = std::get_if<Object>(&schema_of_other.kind); object && other != nullptr)
+        refuse_foreign(std::get<Object>(meant.kind), *other, value, [&](const std::string& name) {
+          return fmt::format("found \"{}\" beside \"{}\", expected only one of the two", name,
+                             std::get<Object>(meant.kind).keys.front().name);
+        });
     check(meant, value);
   }
   void check_kind(const Object& object, const Schema& schema, Json& value) {
@@ -112,6 +127,16 @@ class Checker {
     std::vector<std::string> allowed = names(object);
     allowed.insert(allowed.begin(), tagged.tag);
     check_keys(object, allowed, value);
+  }
+
+  void check_kind(const Depending& depending, const Schema& schema, Json& value) {
+    expect(value.is_object(), schema, value);
+    const auto& meant = alternative(depending, value);
+    for (const auto& [tag, other] : depending.alternatives)
+      refuse_foreign(meant.second, other, value, [&](const std::string& name) {
+        return fmt::format("found \"{}\", expected none with \"type\": \"{}\" in /{}", name, meant.first, depending.on);
+      });
+    check_keys(meant.second, names(meant.second), value);
   }
 
   void check_keys(const Object& object, const std::vector<std::string>& allowed, Json& value) {
@@ -136,6 +161,16 @@ class Checker {
     const auto typo = std::ranges::find_if(unknown, [&](const auto& name) { return !nearest(name, allowed).empty(); });
     const std::string& name = typo == unknown.end() ? unknown.front() : *typo;
     fail(fmt::format("found unknown key {}, {}", Json(name).dump(), expected_one_of(allowed, name)));
+  }
+
+  /// Tells of a key that belongs to another alternative.
+  void refuse_foreign(const Object& meant, const Object& other, const Json& value, auto&& problem) {
+    const std::vector<std::string> allowed = names(meant);
+    for (const std::string& name : names(other))
+      if (value.contains(name) && !std::ranges::count(allowed, name)) {
+        path_.push_back(name);
+        fail(problem(name));
+      }
   }
 
   void check_exactly_one(const Object& object, const Json& value) const {

@@ -58,6 +58,7 @@ std::string in_words(const Schema& schema) {
           [](const List& list) { return in_words(list); },
           [](const NumberMap& map) { return "an object of names, each with " + in_words(map.range); },
           [](const Object&) { return std::string("an object"); }, [](const Tagged& tagged) { return in_words(tagged); },
+          [](const Depending&) { return std::string("an object"); },
           [](const Either& either) { return in_words(either); }},
       schema.kind);
 }

@@ -1,49 +1,29 @@
-#include "keys.hpp"
-
+#include "key_rows.hpp"
 #include "shoreline/engine/case.hpp"
 
 namespace shoreline::keys {
 namespace {
 
-constexpr double huge = 1e30;           // beyond, squares of stresses and stiffnesses could overflow
-constexpr std::size_t many = 10000000;  // entries of a list that a person or script might still write
-
-/// Whether a key may be missing, and what it is then.
-struct Presence {
-  bool required;
-  Json fallback;
-};
-const Presence required{true, {}};
-const Presence optional{false, {}};
-Presence otherwise(Json fallback) { return {false, std::move(fallback)}; }
-
-Key key(std::string name, Schema schema, Presence presence, std::string unit, std::string meaning) {
-  return {std::move(name),   std::move(schema), std::move(unit), presence.required, std::move(presence.fallback),
-          std::move(meaning)};
-}
-
-Schema any_number() { return {Number{{-huge, huge}}}; }
-Schema positive_number() { return {Number{{0.0, huge, true}}}; }
-Schema coordinate() { return {Number{{-1e9, 1e9}}}; }
-Schema length() { return {Number{{0.0, 1e9, true}}}; }
-Schema list(Schema entry, std::size_t at_least, std::size_t at_most) {
-  return {List{std::make_shared<const Schema>(std::move(entry)), at_least, at_most}};
-}
-Schema several(std::size_t n, Schema entry) { return list(std::move(entry), n, n); }
-Schema position() { return several(2, coordinate()); }
-Schema one_or_pair(const Schema& entry) { return {Either{{entry, several(2, entry)}}}; }
-
 Schema analysis() {
   const Object quasi_static{
       {key("plane", {Choice{{"strain", "stress"}}}, required, "", "plane strain or plane stress"),
-       key("load_steps", {Integer{1, 1000000}}, otherwise(Case{}.load_steps), "",
+       key("load_steps", {Integer{1, 1000000}}, otherwise(QuasiStatic{}.load_steps), "",
            "equal steps N; t = k/N at the end of step k"),
        key("load", {Formula{}}, optional, "",
            "load factor, an expression of t by which plain numbers ramp; default t itself"),
        key("loading", {Choice{{"residual", "incremental"}}}, otherwise("residual"), "",
            "what a step balances: the whole load less what is carried already, or the increment of load alone")},
       {}};
-  return {Tagged{{{"quasi_static", quasi_static}}}};
+  const Object projection{
+      {key("value", {Formula{}}, optional, "", "what is projected, an expression of x and y"),
+       key("data", list(any_number(), 1, many), optional, "",
+           "what is projected, one number for each of the listed `material_points.points`"),
+       key("gradient", several(2, {Formula{}}), optional, "1/m",
+           "∂/∂x and ∂/∂y of `value`, for the errors of the projection's derivatives"),
+       key("mass", {Choice{{"consistent", "lumped"}}}, otherwise("consistent"), "",
+           "`consistent`: the best approximation; `lumped`: means of the values, which stay within their extremes")},
+      {"value", "data"}};
+  return {Tagged{{{"quasi_static", quasi_static}, {"projection", projection}}}};
 }
 
 Schema material() {
@@ -52,17 +32,6 @@ Schema material() {
                                key("density", positive_number(), optional, "kg/m³", "ρ; needed by `gravity`")},
                               {}};
   return {Tagged{{{"linear_elastic", linear_elastic}}}};
-}
-
-Schema grid() {
-  return {Object{
-      {key("cells", {Choice{{"quadrilateral"}}}, otherwise("quadrilateral"), "", "shape of the cells"),
-       key("basis", {Choice{{"bilinear"}}}, otherwise("bilinear"), "", "basis functions on the cells"),
-       key("lower", position(), required, "m", "lower left corner"),
-       key("upper", position(), required, "m",
-           "upper right corner, moved out to whole cells; above and right of `lower`"),
-       key("cell_size", one_or_pair(length()), required, "m", "width and height of a cell; at most 1e8 cells in all")},
-      {}}};
 }
 
 Schema line() {
@@ -92,8 +61,8 @@ Object held() {
   return {{key("method", {Choice{{"implicit_boundary", "nitsche", "grid"}}}, otherwise("implicit_boundary"), "",
                "how the condition enters: penalty of a band, the same made consistent, or elimination on grid lines"),
            key("band", {Number{{0.0, 0.1, true}}}, optional, "",
-               "width of the band δ/h in cells; default 1e-3 for `implicit_boundary`, 0.01 for `nitsche`; "
-               "not with `grid`")},
+               "width of the band δ/h in cells; default 1e-3 for `implicit_boundary`, for `nitsche` 0.01 or, with "
+               "Powell-Sabin splines, 0.02; not with `grid`")},
           {}};
 }
 
@@ -208,43 +177,68 @@ Schema diagnostics() {
                  {}}};
 }
 
-Schema output() {
-  return {Object{{key("every", {Integer{1, 1000000}}, otherwise(Case{}.output.every), "",
-                      "steps from one saved step to the next; the last is always saved"),
-                  key("pictures", {Boolean{}}, otherwise(Case{}.output.pictures), "", "draw PNG pictures at the end")},
-                 {}}};
+/// @param steps  whether there are some
+Schema output(bool steps) {
+  const Key every = key("every", {Integer{1, 1000000}}, otherwise(Case{}.output.every), "",
+                        "load steps from one saved step to the next; the last is always saved");
+  const Key pictures =
+      key("pictures", {Boolean{}}, otherwise(Case{}.output.pictures), "", "draw PNG pictures at the end");
+  return {Object{steps ? std::vector<Key>{every, pictures} : std::vector<Key>{pictures}, {}}};
 }
 
-Schema whole_case() {
-  const Json nothing_said = Json::object();
-  return {Object{
-      {key("title", {Text{}}, optional, "", "one line for people; default: the name of the file"),
-       key("analysis", analysis(), required, "", "what is computed"),
+Key title() { return key("title", {Text{}}, optional, "", "one line for people; default: the name of the file"); }
+Key boundaries(const Presence& presence, std::string meaning) {
+  return key("boundaries", list(boundary(), 1, 100000), presence, "", std::move(meaning));
+}
+Key constants() {
+  return key("constants", {NumberMap{{-huge, huge}}}, otherwise(Json::object()), "",
+             "numbers by name, for expressions");
+}
+Key settings(std::string name, Schema schema, std::string meaning) {
+  return key(std::move(name), std::move(schema), otherwise(Json::object()), "", std::move(meaning));
+}
+
+Object quasi_static_case() {
+  return {
+      {title(), key("analysis", analysis(), required, "", "what is computed"),
        key("material", material(), required, "", "the law of the material"),
-       key("grid", grid(), required, "", "the background grid"),
-       key("boundaries", list(boundary(), 1, 100000), required, "",
-           "pieces of the outline, each one spline; pieces that meet end to end close into loops"),
+       key("grid", grid(), required, "", "the background grid and its basis"),
+       boundaries(required, "pieces of the outline, each one spline; pieces that meet end to end close into loops"),
        key("material_points", material_points(), required, "", "points that carry the state of the material"),
        key("body_force", several(2, {Formula{}}), optional, "N/m³", "force per volume, x and y"),
        key("gravity", several(2, any_number()), optional, "m/s²", "acceleration, x and y; needs `material.density`"),
        key("ghost", {Number{{0.0, 1e6}}}, optional, "",
-           "γ of the ghost penalty; default 0, or 1e-3 where a piece uses `nitsche`"),
-       key("constants", {NumberMap{{-huge, huge}}}, otherwise(nothing_said), "", "numbers by name, for expressions"),
+           "γ of the ghost penalty; default 1e-3 for `bspline` (degree 3: 1e-5) and 1e-4 for `powell_sabin` unless every "
+           "piece has method `grid`; 0 for `bilinear` and `linear`, but 1e-3 and 1e-2 where a piece uses `nitsche`"),
+       constants(),
        key("exact", exact(), optional, "",
            "exact solution as functions of the original position and t; with it, errors are computed"),
        key("probes", list(probe(), 1, 100000), optional, "",
            "history of the material point or tracking point nearest to a place, saved at every step"),
-       key("tracking", tracking(), otherwise(nothing_said), "", "how tracking points are kept"),
-       key("solver", solver(), otherwise(nothing_said), "", "how systems are solved"),
-       key("diagnostics", diagnostics(), otherwise(nothing_said), "", "measured only where asked for"),
-       key("output", output(), otherwise(nothing_said), "", "what is written")},
-      {}}};
+       settings("tracking", tracking(), "how tracking points are kept"),
+       settings("solver", solver(), "how systems are solved"),
+       settings("diagnostics", diagnostics(), "measured only where asked for"),
+       settings("output", output(true), "what is written")},
+      {}};
+}
+
+Object projection_case() {
+  return {{title(), key("analysis", analysis(), required, "", "what is computed"),
+           key("grid", grid(), required, "", "the grid and the basis that is projected onto"),
+           boundaries(optional, "outline that a fill of `material_points` needs; without conditions"),
+           key("material_points", material_points(), optional, "",
+               "points whose values are projected, with their volumes as weights; without them, the projection "
+               "integrates over all cells"),
+           constants(), settings("solver", solver(), "how systems are solved"),
+           settings("output", output(false), "what is written")},
+          {}};
 }
 
 }  // namespace
 
 const Schema& case_keys() {
-  static const Schema table = whole_case();
+  static const Schema table{
+      Depending{"analysis", {{"quasi_static", quasi_static_case()}, {"projection", projection_case()}}}};
   return table;
 }
 

@@ -60,13 +60,21 @@ struct Tagged {
   std::string tag = "type";
   std::string fallback{};  ///< alternative that a missing tag means; empty: it must be there
 };
+/// An object whose keys depend on the tag of one of them, "type" in an object that every alternative holds under the
+/// same key. The first alternative answers where that is missing.
+struct Depending {
+  std::string on;  ///< that key
+  std::vector<std::pair<std::string, Object>> alternatives;
+};
 /// Alternatives told apart by their JSON type; objects by their first key. The last one answers for what fits none.
 struct Either {
   std::vector<Schema> alternatives;
 };
 
 struct Schema {
-  std::variant<Number, Integer, Boolean, Text, Name, Choice, Formula, List, NumberMap, Object, Tagged, Either> kind;
+  std::variant<Number, Integer, Boolean, Text, Name, Choice, Formula, List, NumberMap, Object, Tagged, Depending,
+               Either>
+      kind;
 };
 
 /// One row of the table.

@@ -27,6 +27,10 @@ void collect(const Schema& schema, const std::string& path, std::vector<Section>
                                                             name == tagged.fallback ? " (default)" : ""),
                                                 &object});
                         },
+                        [&](const Depending& depending) {
+                          for (const auto& [tag, object] : depending.alternatives)
+                            sections.push_back({path, fmt::format("`{}.type` = `\"{}\"`", depending.on, tag), &object});
+                        },
                         [&](const Either& either) {
                           for (const Schema& one : either.alternatives) {
                             collect(one, path, sections);
@@ -45,11 +49,13 @@ std::string presence(const Key& key, const Object& object) {
   return key.fallback.is_null() || key.fallback.empty() ? "–" : fmt::format("`{}`", key.fallback.dump());
 }
 
-/// A heading, the keys, and every object below them.
+/// A heading, the keys, and every object below them; each once.
 void print(const Section& section, std::string& page) {
-  if (!section.path.empty()) page += "\n## `" + section.path + "`";
-  if (!section.condition.empty()) page += " with " + section.condition;
-  page += "\n\n| key | value | unit | default | meaning |\n| --- | --- | --- | --- | --- |\n";
+  const std::string of = section.path.empty() ? "The case" : "`" + section.path + "`";
+  const std::string with = section.condition.empty() ? "" : " with " + section.condition;
+  const std::string heading = "\n## " + of + with + "\n\n| key |";
+  if (page.find(heading) != std::string::npos) return;
+  page += heading + " value | unit | default | meaning |\n| --- | --- | --- | --- | --- |\n";
   for (const Key& key : section.object->keys)
     page += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.name, in_words(key.schema), key.unit,
                         presence(key, *section.object), key.meaning);

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <set>
 
-#include "shoreline/bases/error.hpp"
+#include "shoreline/bases/derivatives.hpp"
 #include "shoreline/engine/effects.hpp"
 
 namespace shoreline {
@@ -9,19 +11,24 @@ namespace {
 
 using Jump = Eigen::Matrix<double, 1, Eigen::Dynamic>;
 
-/// The functions of both cells of a face, and the jump of their normal derivatives at points on it.
+/// The functions of both cells of a face, and the jump of their normal derivatives of order p at points on it.
 struct FaceJumps {
   std::vector<Index> functions;
-  std::vector<Jump> jump;      ///< a Gauss point: ∂_n φ of the cell less that of its neighbour [1/m]
-  std::vector<double> weight;  ///< γ E h w [N/m²·m²]: what multiplies jump · jumpᵀ
+  std::vector<Jump> jump;      ///< a Gauss point: ∂ₙᵖ φ of the cell less that of its neighbour [1/mᵖ]
+  std::vector<double> weight;  ///< γ E h^(2p−1) w [N/m²·m^(2p)]: what multiplies jump · jumpᵀ
 };
 
-/// Width of a cell along a direction [m].
+/// Width of the element of a cell along a direction [m].
 double width(const Grid& grid, Index cell, const Vec2& direction) {
-  const auto along = [&](const Vec2& v) { return direction.dot(v); };
-  const std::vector<Vec2> polygon = grid.polygon(cell);
-  const auto [low, high] = std::ranges::minmax(polygon, {}, along);
-  return along(high) - along(low);
+  const Index first = cell - cell % grid.parts();
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (Index part = first; part < first + grid.parts(); ++part)
+    for (const Vec2& v : grid.polygon(part)) {
+      low = std::min(low, direction.dot(v));
+      high = std::max(high, direction.dot(v));
+    }
+  return high - low;
 }
 
 FaceJumps face_jumps(const Basis& basis, const Face& face, double scale) {
@@ -37,17 +44,18 @@ FaceJumps face_jumps(const Basis& basis, const Face& face, double scale) {
   const Vec2 normal = Vec2(along.y(), -along.x()).normalized();
   const double h = width(basis.grid(), face.cell, normal);
   const QuadratureRule rule = gauss(basis.degree() + 1);
+  const double h_power = std::pow(h, 2 * basis.degree() - 1);
   for (Eigen::Index q = 0; q < rule.point.size(); ++q) {
     const Vec2 x = face.a + rule.point[q] * along;
     Jump jump = Jump::Zero(static_cast<Eigen::Index>(jumps.functions.size()));
     for (const auto& [cell, sign] : {std::pair(face.cell, 1.0), std::pair(face.neighbour, -1.0)}) {
-      const Support support = basis.support(cell, x);
-      for (Eigen::Index a = 0; a < support.function.size(); ++a)
-        jump[std::ranges::lower_bound(jumps.functions, support.function[a]) - jumps.functions.begin()] +=
-            sign * normal.dot(support.gradient.col(a));
+      const ShortIndices& functions = cell == face.cell ? here : there;
+      const ShortVector derivative = directional_derivative(basis, cell, x, normal, basis.degree());
+      for (Eigen::Index a = 0; a < functions.size(); ++a)
+        jump[std::ranges::lower_bound(jumps.functions, functions[a]) - jumps.functions.begin()] += sign * derivative[a];
     }
     jumps.jump.push_back(std::move(jump));
-    jumps.weight.push_back(scale * h * rule.weight[q] * along.norm());
+    jumps.weight.push_back(scale * h_power * rule.weight[q] * along.norm());
   }
   return jumps;
 }
@@ -60,8 +68,6 @@ class GhostPenalty final : public Contribution {
   [[nodiscard]] std::string name() const override { return "ghost_penalty"; }
 
   void add(const StepState& step, ElementBlocks& blocks) const override {
-    if (step.basis.continuity() != 0 || step.basis.degree() != 1)
-      throw InvalidArgument("ghost_penalty: made for continuous bases of degree 1");
     for (const Face& face : faces(step)) {
       const FaceJumps jumps = face_jumps(step.basis, face, gamma_ * material_->stiffness());
       const std::size_t block = blocks.append(jumps.functions);
@@ -93,16 +99,25 @@ class GhostPenalty final : public Contribution {
   }
 
  private:
-  /// Faces between active cells, at least one of which the boundary cuts or is served by; each once.
-  static std::vector<Face> faces(const StepState& step) {
-    std::set<Index> at_boundary;
+  /// All cells of the elements that the boundary cuts, or that serve one of its segments.
+  static std::set<Index> cells_at_boundary(const StepState& step) {
+    const Index parts = step.basis.grid().parts();
+    std::set<Index> cells;
+    const auto insert = [&](Index cell) {
+      for (Index part = 0; part < parts; ++part) cells.insert(cell - cell % parts + part);
+    };
     for (const Edge& edge : step.edges) {
-      for (const Segment& segment : edge.segments) at_boundary.insert(segment.cell);
-      at_boundary.insert(edge.support_cell.begin(), edge.support_cell.end());
+      for (const Segment& segment : edge.segments) insert(segment.cell);
+      std::ranges::for_each(edge.support_cell, insert);
     }
+    return cells;
+  }
+
+  /// Faces between active cells, of which at least one is at the boundary; each once.
+  static std::vector<Face> faces(const StepState& step) {
     std::map<std::pair<Index, Index>, Face> found;
     const auto active = [&](Index cell) { return step.supports.active[static_cast<std::size_t>(cell)] != 0; };
-    for (const Index cell : at_boundary) {
+    for (const Index cell : cells_at_boundary(step)) {
       if (!active(cell)) continue;
       for (Face face : step.basis.grid().faces(cell)) {
         if (!active(face.neighbour)) continue;
@@ -117,7 +132,7 @@ class GhostPenalty final : public Contribution {
 
   double gamma_;
   std::shared_ptr<const Material> material_;
-  std::map<std::pair<Index, Index>, std::vector<Vec2>> carried_;  ///< jump of ∂_n u so far, (G.2); residual loading
+  std::map<std::pair<Index, Index>, std::vector<Vec2>> carried_;  ///< jump of ∂ₙᵖ u so far, (G.2); residual loading
 };
 
 }  // namespace

@@ -35,8 +35,14 @@ class Stiffness final : public Contribution {
   void add(const StepState& step, ElementBlocks& blocks) const override {
     const std::size_t begin = blocks.append(step.supports.cell.size(), step.supports.functions);
     switch (step.supports.functions) {
+      case 3:
+        return add_cells<3>(step, begin, blocks);
       case 4:
         return add_cells<4>(step, begin, blocks);
+      case 9:
+        return add_cells<9>(step, begin, blocks);
+      case 16:
+        return add_cells<16>(step, begin, blocks);
       default:
         throw InvalidArgument("stiffness_of: no kernel for " + std::to_string(step.supports.functions) +
                               " functions a cell");

@@ -1,4 +1,5 @@
-"""Draws deformed.png from results.h5: the body at its last saved step, coloured by a stress and by displacement."""
+"""Draws results.h5: deformed.png, the body at its last saved step, coloured by a stress and by displacement; or field.png,
+a projected field and its error."""
 
 import os
 import sys
@@ -122,7 +123,7 @@ class Body:
         """Draws every point also behind all others, so large that no gap shows where the material turned or stretched."""
         if len(self.x) > MOST_BACKED_POINTS:
             return
-        self.side = np.concatenate([2.0 * self.side, self.side])
+        self.side = np.concatenate([3.0 * self.side, self.side])
         self.x, self.displacement, self.stress = (
             np.vstack([field, field]) for field in (self.x, self.displacement, self.stress))
 
@@ -152,11 +153,15 @@ def closed_path(curves, tolerance):
     return Path(np.vstack(vertices), codes) if vertices else None
 
 
+def draw_edges(axes, edges, colour, order):
+    if edges is not None:
+        axes.add_collection(LineCollection(edges.reshape(-1, 2, 2), colors=colour, linewidths=0.4, zorder=order))
+
+
 def draw(axes, body, values, label):
     low, high = body.bounds()
     axes.set(xlim=(low[0], high[0]), ylim=(low[1], high[1]), xlabel="x [m]", ylabel="y [m]", aspect="equal")
-    if body.edges is not None:
-        axes.add_collection(LineCollection(body.edges.reshape(-1, 2, 2), colors="0.85", linewidths=0.4, zorder=0))
+    draw_edges(axes, body.edges, "0.85", 0)
     least, most, beyond = colour_limits(values)
     squares = axes.scatter(*body.x.T, c=values, marker="s", linewidths=0, vmin=least, vmax=most, zorder=1)
     if body.outline is not None:
@@ -174,14 +179,22 @@ def fit_squares(squares, body):
     squares.set_sizes((body.side * points_a_metre + 0.5) ** 2)
 
 
-def picture(folder):
-    with h5py.File(os.path.join(folder, "results.h5"), "r") as file:
-        title, body = file.attrs["title"], Body(file)
-    width, height = np.subtract(*reversed(body.bounds()))
+def two_panels(width, height, title):
     side_by_side = width < 2.2 * height
     figure, panels = plt.subplots(*((1, 2) if side_by_side else (2, 1)), figsize=(12, 5.4) if side_by_side else (9, 7),
                                   dpi=130, layout="constrained")
-    figure.suptitle(f"{title}\n{body.caption}".replace("$", r"\$"))
+    figure.suptitle(title.replace("$", r"\$"))
+    return figure, panels
+
+
+def save(figure, folder, name):
+    part = os.path.join(folder, name + ".part")
+    figure.savefig(part, format="png")
+    os.replace(part, os.path.join(folder, name))
+
+
+def draw_body(folder, title, body):
+    figure, panels = two_panels(*np.subtract(*reversed(body.bounds())), f"{title}\n{body.caption}")
 
     component = most_telling(body.stress)
     stress, unit = in_readable_unit(body.stress[:, component], "Pa")
@@ -191,10 +204,35 @@ def picture(folder):
     figure.draw_without_rendering()
     for squares in drawn:
         fit_squares(squares, body)
+    save(figure, folder, "deformed.png")
 
-    part = os.path.join(folder, "deformed.png.part")
-    figure.savefig(part, format="png")
-    os.replace(part, os.path.join(folder, "deformed.png"))
+
+def draw_field(folder, title, file):
+    """The field, and its error where that is known."""
+    x, y = file["field/position"][:, :2].T
+    triangles, edges = file["connectivity/triangles"][:], file["grid/edges"][:] if "grid/edges" in file else None
+    figure, panels = two_panels(np.ptp(x), np.ptp(y), title)
+    for axes, name, colours in zip(panels, ("value", "error"), ("viridis", "RdBu_r")):
+        if name not in file["field"]:
+            axes.remove()
+            continue
+        values = file[f"field/{name}"][:]
+        most = np.abs(values).max() or 1.0
+        limits = {"vmin": -most, "vmax": most} if name == "error" else {}
+        field = axes.tripcolor(x, y, triangles, values, shading="gouraud", cmap=colours, **limits)
+        draw_edges(axes, edges, "0.4", 2)
+        axes.set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
+        figure.colorbar(field, ax=axes, label="projected field" if name == "value" else "its error", shrink=0.9)
+    save(figure, folder, "field.png")
+
+
+def picture(folder):
+    with h5py.File(os.path.join(folder, "results.h5"), "r") as file:
+        title = file.attrs["title"]
+        if "field" in file:
+            draw_field(folder, title, file)
+        else:
+            draw_body(folder, title, Body(file))
 
 
 picture(sys.argv[1])

@@ -1,5 +1,6 @@
 #include "shoreline/engine/results_writer.hpp"
 
+#include <algorithm>
 #include <system_error>
 
 #include "atomic_file.hpp"
@@ -18,12 +19,17 @@ Eigen::Matrix3Xd in_space(const Eigen::Matrix2Xd& plane) {
   return space;
 }
 
-/// (4, edges) both ends of the edges of all cells; inner edges are there twice.
+/// (4, edges) both ends of the edges of all cells, or main triangles; those that two share are there twice.
 Eigen::Matrix4Xd edges(const Grid& grid) {
   std::vector<Eigen::Vector4d> found;
   for (Index cell = 0; cell < grid.cells(); ++cell) {
     const std::vector<Vec2> corner = grid.polygon(cell);
+    const std::vector<Face> faces = grid.parts() > 1 ? grid.faces(cell) : std::vector<Face>{};
     for (std::size_t i = 0; i < corner.size(); ++i) {
+      const auto inside = [&](const Face& f) {
+        return f.a == corner[i] && f.neighbour / grid.parts() == cell / grid.parts();
+      };
+      if (std::ranges::any_of(faces, inside)) continue;
       const Vec2& next = corner[(i + 1) % corner.size()];
       found.emplace_back(corner[i].x(), corner[i].y(), next.x(), next.y());
     }
@@ -38,7 +44,7 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 void remove_old(const std::filesystem::path& folder) {
-  for (const char* name : {"summary.json", "results.xdmf", "deformed.png"}) {
+  for (const char* name : {"summary.json", "results.xdmf", "deformed.png", "field.png"}) {
     std::error_code problem;
     std::filesystem::remove(folder / name, problem);
     if (problem) throw OutputError((folder / name).string() + ": cannot remove: " + problem.message());
@@ -102,7 +108,7 @@ ResultsWriter::ResultsWriter(std::filesystem::path folder, const std::string& ti
   file.set_attribute("/", "title", title);
   file.make_group("/steps");
   file.make_group("/connectivity");
-  if (grid.cells() <= most_drawn_cells) file.write_rows("/grid/edges", edges(grid), "m");
+  if (grid.cells() / grid.parts() <= most_drawn_cells) file.write_rows("/grid/edges", edges(grid), "m");
   file.close();
 }
 
@@ -128,6 +134,18 @@ void ResultsWriter::write(const SavedStep& step) {
   curve_grids_ += curve_grid(step);
   ++saved_;
   if (saved_ > indexed_ + indexed_ / 50) write_index();
+}
+
+void ResultsWriter::write(const SampledField& field) {
+  const auto numbers = 6 * field.value.size() + 3 * field.triangle.cols();
+  reserve(folder_ / "results.h5", static_cast<std::uintmax_t>(numbers) * sizeof(double) + 65536);
+  Hdf5File file(folder_ / "results.h5", Hdf5File::Mode::append);
+  file.write_rows("/field/position", in_space(field.position), "m");
+  file.write_numbers("/field/value", field.value, "1");
+  if (field.error) file.write_numbers("/field/error", *field.error, "1");
+  file.write_table(triangle_table(), field.triangle);
+  file.close();
+  write_atomically(folder_ / "results.xdmf", xdmf(field));
 }
 
 void ResultsWriter::append(const std::vector<Probe>& probes) {

@@ -39,6 +39,15 @@ Json error_norms(const ErrorNorms& errors) {
           {"boundary", boundary}};
 }
 
+Json projection_errors(const ProjectionErrors& errors) {
+  Json json = {{"l2", errors.l2}, {"l2_relative", number_or_null(errors.l2_relative)}};
+  if (errors.derivative_l2) {
+    json["x_derivative_l2"] = (*errors.derivative_l2)[0];
+    json["y_derivative_l2"] = (*errors.derivative_l2)[1];
+  }
+  return {{"projection", json}};
+}
+
 Json resultants(const std::map<std::string, Vec3>& of_pieces) {
   Json json = Json::object();
   for (const auto& [name, resultant] : of_pieces) json[name] = {resultant[0], resultant[1], resultant[2]};
@@ -63,6 +72,15 @@ long long peak_memory_bytes() {
   return 1024LL * usage.ru_maxrss;
 }
 
+/// What load steps know of the boundary.
+void add_loads(const Summary& summary, Json& json) {
+  json["reactions"] = resultants(summary.reactions);
+  json["loads"] = resultants(summary.loads);
+  for (const auto& [name, error] : summary.displacement_fit)
+    json["displacement_fit"][name] = {{"l2", error.l2}, {"mean", error.mean}};
+  json["extended_share"] = summary.extended_share;
+}
+
 void add_costs(const Summary& summary, Json& json) {
   json["effects"] = Json::array();
   json["effect_costs"] = Json::object();
@@ -79,24 +97,19 @@ void add_costs(const Summary& summary, Json& json) {
 }  // namespace
 
 void write_summary(const Summary& summary, const std::filesystem::path& folder) {
-  Json json = {{"title", summary.title},
-               {"status", summary.completed ? "completed" : "failed"},
-               {"message", summary.message},
-               {"warnings", summary.warnings},
-               {"analysis", summary.analysis},
-               {"basis", summary.basis},
-               {"degrees_of_freedom", summary.degrees_of_freedom},
+  Json json = {{"title", summary.title},       {"status", summary.completed ? "completed" : "failed"},
+               {"message", summary.message},   {"warnings", summary.warnings},
+               {"analysis", summary.analysis}, {"basis", summary.basis}};
+  if (summary.degree) json["degree"] = *summary.degree;
+  json.update({{"degrees_of_freedom", summary.degrees_of_freedom},
                {"material_points", summary.material_points},
                {"steps", summary.steps},
                {"threads", summary.threads},
-               {"version", version()}};
+               {"version", version()}});
   if (summary.errors) json["errors"] = error_norms(*summary.errors);
-  json["reactions"] = resultants(summary.reactions);
-  json["loads"] = resultants(summary.loads);
-  for (const auto& [name, error] : summary.displacement_fit)
-    json["displacement_fit"][name] = {{"l2", error.l2}, {"mean", error.mean}};
+  if (summary.projection_errors) json["errors"] = projection_errors(*summary.projection_errors);
+  if (summary.analysis == "quasi_static") add_loads(summary, json);
   for (const Probe& p : summary.probes) json["probes"][p.name] = probe(p);
-  json["extended_share"] = summary.extended_share;
   add_costs(summary, json);
   if (summary.condition_estimate) json["condition_estimate"] = *summary.condition_estimate;
   write_atomically(folder / "summary.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -48,6 +48,10 @@ std::string attribute(const char* name, const char* type, const std::string& pat
                      numbers(path, shape));
 }
 
+std::string file_of(const std::string& grids) {
+  return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Xdmf Version=\"3.0\"><Domain>\n" + grids + "</Domain></Xdmf>\n";
+}
+
 std::string time(const SavedStep& step) { return fmt::format(R"(<Time Value="{}"/>)", step.t); }
 
 }  // namespace
@@ -70,6 +74,8 @@ std::string link_name(const std::string& name) {
 std::string vertices_table(Eigen::Index points) { return fmt::format("/connectivity/vertices {}", points); }
 
 std::string line_table(Eigen::Index points) { return fmt::format("/connectivity/line {}", points); }
+
+std::string triangle_table() { return "/connectivity/triangles"; }
 
 std::string point_grid(const SavedStep& step) {
   const Eigen::Index n = step.volume.size();
@@ -99,9 +105,18 @@ std::string xdmf(const std::string& curve_grids, const std::string& point_grids)
     return fmt::format("<Grid Name=\"{}\" GridType=\"Collection\" CollectionType=\"Temporal\">\n{}</Grid>\n", name,
                        grids);
   };
-  return "<?xml version=\"1.0\" encoding=\"utf-8\"?>\n<Xdmf Version=\"3.0\"><Domain>\n" +
-         (curve_grids.empty() ? "" : in_time("boundary", curve_grids)) + in_time("material points", point_grids) +
-         "</Domain></Xdmf>\n";
+  return file_of((curve_grids.empty() ? "" : in_time("boundary", curve_grids)) +
+                 in_time("material points", point_grids));
+}
+
+std::string xdmf(const SampledField& field) {
+  const Eigen::Index n = field.value.size();
+  const auto scalar = [n](const char* name) {
+    return attribute(name, "Scalar", std::string("/field/") + name, fmt::format("{}", n)) + "\n";
+  };
+  return file_of("<Grid Name=\"field\" GridType=\"Uniform\">\n" +
+                 cells("Triangle", field.triangle.cols(), 3, triangle_table()) + "\n" + geometry("/field/position", n) +
+                 "\n" + scalar("value") + (field.error ? scalar("error") : "") + "</Grid>\n");
 }
 
 }  // namespace shoreline

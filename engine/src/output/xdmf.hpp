@@ -18,11 +18,17 @@ namespace shoreline {
 [[nodiscard]] std::string vertices_table(Eigen::Index points);
 [[nodiscard]] std::string line_table(Eigen::Index points);
 
+/// The triangles of a sampled field in results.h5.
+[[nodiscard]] std::string triangle_table();
+
 /// The XDMF grids of one step, over arrays that have been written under step_group. No grid where there is no curve.
 [[nodiscard]] std::string point_grid(const SavedStep& step);
 [[nodiscard]] std::string curve_grid(const SavedStep& step);
 
 /// A whole XDMF file. Two collections in time; the points are the last one, which is what readers of one mesh take.
 [[nodiscard]] std::string xdmf(const std::string& curve_grids, const std::string& point_grids);
+
+/// A whole XDMF file of one field.
+[[nodiscard]] std::string xdmf(const SampledField& field);
 
 }  // namespace shoreline

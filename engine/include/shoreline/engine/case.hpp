@@ -3,11 +3,14 @@
 
 #include <array>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "shoreline/bases/mesh_generators.hpp"
+#include "shoreline/bases/projection.hpp"
 #include "shoreline/boundary/conditions.hpp"
 #include "shoreline/engine/contribution.hpp"
 #include "shoreline/engine/exact_solutions.hpp"
@@ -15,6 +18,21 @@
 #include "shoreline/engine/fill.hpp"
 
 namespace shoreline {
+
+/// Load steps in equilibrium.
+struct QuasiStatic {
+  Loading loading = Loading::residual;
+  int load_steps = 1;
+  std::optional<Expression> load{};  ///< load factor, a formula of t, by which plain numbers ramp; else t itself
+};
+
+/// The L2 projection of one field onto the basis.
+struct Projection {
+  std::variant<Expression, std::vector<double>> value;  ///< a function of place, or one number a listed point
+  std::optional<std::array<Expression, 2>> gradient{};  ///< of the function, for the errors of the derivatives
+  Mass mass = Mass::consistent;
+  bool at_points = false;  ///< weights are the volumes of the case's material points; else integrals over all cells
+};
 
 struct Case {
   /// @name Conditions as a case states them; scene.hpp turns them into boundary conditions.
@@ -40,10 +58,15 @@ struct Case {
     Piece piece;
     Condition condition;
   };
+  enum class BasisType { bilinear, bspline, linear, powell_sabin };
   struct Grid {
     Vec2 lower = Vec2::Zero();      ///< [m]
     Vec2 upper = Vec2::Zero();      ///< [m]
-    Vec2 cell_size = Vec2::Zero();  ///< [m]; upper is moved out to whole cells
+    Vec2 cell_size = Vec2::Zero();  ///< of the rectangles [m]; upper is moved out to whole ones
+    BasisType basis = BasisType::bilinear;
+    int degree = 2;                                       ///< of a tensor-product B-spline
+    TrianglePattern pattern = TrianglePattern::diagonal;  ///< how triangle bases cut the rectangles
+    std::shared_ptr<const TriangleMesh> mesh{};           ///< triangles instead of cut rectangles
   };
   struct Material {
     double youngs_modulus = 0.0;  ///< [Pa]
@@ -74,9 +97,7 @@ struct Case {
   std::filesystem::path file;
   std::string title;
   Plane plane = Plane::strain;
-  Loading loading = Loading::residual;
-  int load_steps = 1;
-  std::optional<Expression> load;  ///< load factor, a formula of t, by which plain numbers ramp; else t itself
+  std::variant<QuasiStatic, Projection> analysis;
   Material material;
   Grid grid;
   std::vector<Boundary> boundaries;

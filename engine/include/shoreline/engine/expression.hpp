@@ -30,6 +30,7 @@ class Expression {
   [[nodiscard]] double operator()(const PlaceTime& at) const;
   [[nodiscard]] const std::string& formula() const;
   [[nodiscard]] bool uses_place() const;  ///< whether x, y, X or Y occurs in the formula
+  [[nodiscard]] bool uses_time() const;   ///< whether t does
 
  private:
   struct Parser;

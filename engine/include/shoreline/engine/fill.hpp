@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "shoreline/bases/triangle_grid.hpp"
 #include "shoreline/boundary/region.hpp"
 #include "shoreline/engine/material_points.hpp"
 
@@ -43,6 +44,15 @@ struct PolarFill {
 ///
 /// @param curves  that close into loops
 [[nodiscard]] MaterialPoints fill_lattice(std::span<const SplineCurve> curves, const QuadrilateralGrid& grid,
+                                          const LatticeFill& fill);
+
+/// One point in each part of a triangle that the body covers, (V.4). Each cell is cut into k² triangles alike, where k
+/// is per_cell on a main triangle that is one cell, and half of it, rounded up, on each of the six cells of a
+/// Powell-Sabin triangle. The rules mean what they mean for rectangles.
+///
+/// @param fill  with the same number in both directions
+/// @throws InvalidArgument with the two numbers if they differ
+[[nodiscard]] MaterialPoints fill_lattice(std::span<const SplineCurve> curves, const TriangleGrid& grid,
                                           const LatticeFill& fill);
 
 /// Points on the nodes of a lattice anchored at the lower left of the body, whose outer layer lies on the outline,

@@ -32,13 +32,13 @@ struct MaterialPoints {
 
 /// Where every material point sits, and the basis there: evaluated once a load step.
 struct PointSupports {
-  std::vector<Index> cell;       ///< (m) the active cells, ascending
-  std::vector<Index> first;      ///< (m + 1) range of each active cell in the arrays below
+  std::vector<Index> cell;       ///< (m) the cells that hold points, ascending
+  std::vector<Index> first;      ///< (m + 1) range of each such cell in the arrays below
   std::vector<Index> point;      ///< points in the order of cells
   int functions = 0;             ///< n per cell
   std::vector<double> value;     ///< (points · n), function fastest
   std::vector<double> gradient;  ///< (points · 2n), ∂x, ∂y of each function [1/m]
-  std::vector<char> active;      ///< (cells of the grid) 1 where a material point sits
+  std::vector<char> active;      ///< (cells of the grid) 1 in all parts of an element in which a material point sits
 
   [[nodiscard]] Index cells() const { return static_cast<Index>(cell.size()); }
 };

@@ -30,6 +30,21 @@ struct SavedStep {
   std::vector<Curve> curves;
 };
 
+/// A field over the cells, sampled for drawing: triangles with values at their corners.
+struct SampledField {
+  Eigen::Matrix2Xd position;               ///< (2, n) [m]
+  Eigen::VectorXd value;                   ///< (n)
+  std::optional<Eigen::VectorXd> error{};  ///< (n) against the function that was projected
+  Eigen::Matrix3Xi triangle;               ///< (3, t) numbers of positions
+};
+
+/// Norms of the error of a projection, (P.4), over the points with their weights.
+struct ProjectionErrors {
+  double l2 = 0.0;
+  std::optional<double> l2_relative;                   ///< missing where the function vanishes
+  std::optional<std::array<double, 2>> derivative_l2;  ///< of ∂/∂x and ∂/∂y; only with the gradient of the function
+};
+
 /// The deformed radius of a piece that was an arc about the origin, (N.6).
 struct RadiusError {
   double mean = 0.0;           ///< along the deformed piece [m]
@@ -59,6 +74,7 @@ struct Summary {
   std::string message;
   std::string analysis = "quasi_static";
   std::string basis;
+  std::optional<int> degree;  ///< of a tensor-product B-spline
   Index degrees_of_freedom = 0;
   Index material_points = 0;
   int steps = 0;
@@ -70,6 +86,7 @@ struct Summary {
   };
   std::vector<Effect> effects;
   std::optional<ErrorNorms> errors;
+  std::optional<ProjectionErrors> projection_errors;
   std::vector<std::pair<std::string, double>> timings;  ///< [s], in the order in which the phases first ran
   std::map<std::string, Vec3> reactions;                ///< Fx, Fy, M about the origin, per metre of thickness
   std::map<std::string, Vec3> loads;

@@ -25,6 +25,8 @@ namespace shoreline {
 ///     probes/NAME/position            (steps + 1, 2) [m]
 ///     probes/NAME/displacement        (steps + 1, 2) [m]
 ///     probes/NAME/stress              (steps + 1, 4) xx, yy, xy, zz [Pa]; of material points alone
+///     field/position                  (n, 3) of a projection: corners of triangles that cover its cells [m], z = 0
+///     field/value, field/error        (n)
 ///     grid/edges                      (e, 4) x, y of both ends [m]
 ///     connectivity                    the cells of results.xdmf
 ///
@@ -34,7 +36,7 @@ namespace shoreline {
 class ResultsWriter {
  public:
   /// Creates @p folder and an empty results.h5 in it. Removes what an earlier run left there of summary.json,
-  /// results.xdmf and deformed.png, so that no old result lies beside a new one.
+  /// results.xdmf and pictures, so that no old result lies beside a new one.
   ///
   /// @param title  of the case
   /// @param grid   drawn in the picture where it has at most 10⁴ cells
@@ -48,6 +50,10 @@ class ResultsWriter {
   /// and at the end, so that its cost stays in proportion.
   /// @throws OutputError with path and reason
   void write(const SavedStep& step);
+
+  /// Writes the field of a projection to results.h5, and results.xdmf.
+  /// @throws OutputError with path and reason
+  void write(const SampledField& field);
 
   /// Appends to results.h5 what the history of every probe has gained since the call before.
   /// @throws OutputError with path and reason

@@ -42,14 +42,15 @@ struct Scene {
 /// @throws CaseError with the key at fault where the outline does not bound a body inside the grid, or holds no points
 [[nodiscard]] Scene build_scene(const Case& problem);
 
-/// The displacement components that pieces with method `grid` prescribe at one step; each once.
+/// What pieces with method `grid` prescribe at one step, (C.3), as components that others give; each once.
 ///
-/// Along every segment of such a piece, the functions of its cell that do not vanish there.
+/// The trace of the displacement, or of its component across the piece, on every cell edge along such a piece is that
+/// of the prescribed coefficients (zero where the piece has no value); nothing else is held, so not the slope across
+/// the edge.
 ///
 /// @param prescribed  coefficients of what pieces prescribe, (2, functions) [m]; no columns where none does
-/// @throws InvalidArgument naming piece and position where a piece leaves the grid lines, or where a roller's line is
-/// not
-///         parallel to an axis
+/// @throws InvalidArgument naming piece and position where a piece leaves the edges of cells, or runs along the edges
+///         inside a Powell-Sabin triangle
 [[nodiscard]] std::vector<Constraint> grid_constraints(const Basis& basis, const std::vector<BoundaryPiece>& boundary,
                                                        const std::vector<Edge>& edges,
                                                        const Eigen::Matrix2Xd& prescribed);

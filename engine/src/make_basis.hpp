@@ -1,0 +1,21 @@
+#pragma once
+// The grid and basis of a case.
+
+#include <memory>
+
+#include "shoreline/bases/basis.hpp"
+#include "shoreline/engine/case.hpp"
+#include "shoreline/engine/results.hpp"
+
+namespace shoreline {
+
+/// @throws MeshError if the triangles of a case break a rule
+[[nodiscard]] std::unique_ptr<const Basis> make_basis(const Case::Grid& grid);
+
+/// As a case names it.
+[[nodiscard]] const char* name_of(Case::BasisType basis);
+
+/// The basis of a run with its degree, if that is free.
+void name_basis(const Case::Grid& grid, Summary& summary);
+
+}  // namespace shoreline
