@@ -1,5 +1,6 @@
 #pragma once
-// When threads pay: a parallel region costs some ten microseconds, and milliseconds where other programs want the cores.
+// When threads pay: a parallel region costs some ten microseconds, and milliseconds where other programs want the
+// cores.
 
 #include <cstddef>
 

@@ -39,8 +39,8 @@ using DisplacementOnPiece = std::function<Vec2(const BoundaryPoint&, double)>;
 [[nodiscard]] std::unique_ptr<Contribution> boundary_error(int piece, std::string piece_name, bool normal_only,
                                                            DisplacementOnPiece exact);
 
-/// Ghost penalty over the faces of elements at the boundary, (G.1), on jumps of the derivatives of order p of a basis of
-/// degree p whose lower derivatives are continuous.
+/// Ghost penalty over the faces of elements at the boundary, (G.1), on jumps of the derivatives of order p of a basis
+/// of degree p whose lower derivatives are continuous.
 /// @param gamma  γ > 0
 [[nodiscard]] std::unique_ptr<Contribution> ghost_penalty(double gamma, std::shared_ptr<const Material> material);
 
