@@ -122,6 +122,22 @@ for volumes in ("lattice", "clipped"):
         row(volumes, f"{n}²", *(f"{mean_u(s):.1e}" for s in runs),
             *(f"{s['errors']['stress']['mean_relative'][0]:.1e}" for s in runs))
 
+print("\n# Every basis: relative L2 errors, displacement / stress")
+BASES = {"bilinear": {}, "linear": {"basis": "linear"}, "powell_sabin": {"basis": "powell_sabin"},
+         "bspline, degree 2": {"basis": "bspline", "degree": 2}, "bspline, degree 3": {"basis": "bspline", "degree": 3}}
+NITSCHE = {f"boundaries.{p}.condition.method": "nitsche" for p in HELD}
+for name, case, settings in (("tractions", "neumann", {}), ("displacements, implicit boundary", "dirichlet", {}),
+                             ("displacements, Nitsche", "dirichlet", NITSCHE)):
+    print(f"\n{name}:")
+    table("basis", "h = 1/8", "1/16", "1/32", "orders", "points at 1/32", "unknowns", "seconds")
+    for basis, keys in BASES.items():
+        runs = [run(f"{case}.json", cells(k) | settings | {f"grid.{key}": v for key, v in keys.items()})
+                for k in (3, 4, 5)]
+        last = runs[-1]
+        row(f"{basis}", *(f"{l2(s, 'displacement'):.2e} / {l2(s, 'stress'):.2e}" for s in runs),
+            " / ".join(rate(l2(runs[1], field), l2(last, field)) for field in ("displacement", "stress")),
+            last["material_points"], last["degrees_of_freedom"], seconds(last))
+
 try:
     import h5py
     import matplotlib

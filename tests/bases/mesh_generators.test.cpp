@@ -94,9 +94,33 @@ TEST_CASE("Delaunay triangles fill the hull: a turned rectangle with points on i
 }
 
 TEST_CASE("points that have no Delaunay triangulation are refused", "[bases][mesh_generators]") {
+  const std::vector<Vec2> square{{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}, {0.5, 0.1}};
+  CHECK_THROWS_WITH(delaunay(square, {0, 1, 2, 7}), Contains("names point 7, expected 0 to 4"));
+  CHECK_THROWS_WITH(delaunay(square, {0, 3, 2, 1}), Contains("counter-clockwise"));
+  CHECK_THROWS_WITH(delaunay({{0.0, 0.0}, {1.0, 0.0}, {0.5, 1.0}, {0.5, 3.0}}, {0, 1, 2}), Contains("vertex 3"));
+  CHECK_THROWS_WITH(delaunay({{0.0, 0.0}, {4.0, 0.0}, {2.0, 1.0}, {2.0, -1.0}}, {0, 1, 2}),
+                    Contains("from point 0 to point 1 is no edge"));
   CHECK_THROWS_WITH(delaunay({{0.0, 0.0}, {1.0, 0.0}}), Contains("at least 3 points, got 2"));
   CHECK_THROWS_WITH(delaunay({{0.0, 0.0}, {1.0, 0.0}, {0.0, NAN}}), Contains("point 2 is not finite"));
   CHECK_THROWS_WITH(delaunay({{0.0, 0.0}, {1.0, 2.0}, {2.0, 4.0}, {3.0, 6.0}}), Contains("one line"));
   CHECK_THROWS_WITH(delaunay({{1.0, 1.0}, {1.0, 1.0}, {1.0, 1.0}}), Contains("one line"));
   CHECK_THROWS_WITH(delaunay({{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}, {1.0, 0.0}}), Contains("vertex 1 and vertex 3"));
+}
+
+TEST_CASE("a Delaunay triangulation within an outline covers what that bounds", "[bases][mesh_generators]") {
+  // An L of unit squares, with points at all corners of quarters; its re-entrant corner is at (1, 1).
+  std::vector<Vec2> points;
+  for (int j = 0; j <= 4; ++j)
+    for (int i = 0; i <= 4; ++i)
+      if (i <= 2 || j <= 2) points.emplace_back(0.5 * i, 0.5 * j);
+  const auto number = [&](double x, double y) {
+    return static_cast<Index>(std::ranges::find(points, Vec2(x, y)) - points.begin());
+  };
+  std::vector<Index> outline;
+  for (const Vec2& corner :
+       {Vec2(0, 0), Vec2(0.5, 0), Vec2(1, 0), Vec2(1.5, 0), Vec2(2, 0), Vec2(2, 0.5), Vec2(2, 1), Vec2(1.5, 1),
+        Vec2(1, 1), Vec2(1, 1.5), Vec2(1, 2), Vec2(0.5, 2), Vec2(0, 2), Vec2(0, 1.5), Vec2(0, 1), Vec2(0, 0.5)})
+    outline.push_back(number(corner.x(), corner.y()));
+  CHECK(area(delaunay(points, outline)) == Approx(3.0).epsilon(1e-12));
+  CHECK(area(delaunay(points)) == Approx(3.5).epsilon(1e-12));
 }

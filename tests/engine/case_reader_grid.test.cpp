@@ -92,6 +92,9 @@ TEST_CASE("points become their Delaunay triangulation", "[engine][case_reader]")
   REQUIRE(grid.mesh != nullptr);
   CHECK(grid.mesh->triangle.size() == 4);  // about the point inside
   CHECK(grid.mesh->vertex.at(4) == Vec2(0.5, 0.4));
+  const std::string notched = R"({"points": [[0, 0], [1, 0], [1, 1], [0, 1], [0.5, 0.4]], "outline": [0, 1, 2, )";
+  CHECK(grid_of(notched + "4, 3]}").mesh->triangle.size() == 3);
+  CHECK_THROWS_WITH(grid_of(notched + "9]}"), Contains("/grid/points: ") && Contains("point 9"));
   CHECK_THROWS_WITH(grid_of(R"({"points": [[0, 0], [1, 1], [2, 2]]})"), Contains("/grid/points: ") && Contains("line"));
   CHECK_THROWS_WITH(grid_of(R"({"points": [[0, 0], [1, 0], [1, 1], [1, 0]]})"),
                     Contains("/grid/points: ") && Contains("vertex ") && Contains(" at (1, 0)"));

@@ -20,6 +20,8 @@ Schema grid() {
       {}};
   const Object points{
       {key("points", list(position(), 3, many), required, "m", "vertices of triangles: their Delaunay triangulation"),
+       key("outline", list({Integer{0, static_cast<int>(many)}}, 3, many), optional, "",
+           "numbers of points (the first is 0) around the triangles, counter-clockwise; default: their convex hull"),
        cells({"triangle"}), basis},
       {}};
   const Object rectangles{

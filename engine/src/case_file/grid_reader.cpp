@@ -140,7 +140,9 @@ Case::Grid read_points(const Node& node) {
   std::vector<Vec2> points;
   for (std::size_t i = 0; i < list.size(); ++i) points.push_back(list.entry(i).vector());
   Case::Grid grid{.basis = read_basis(node)};
-  grid.mesh = list.made([&] { return std::make_shared<const TriangleMesh>(delaunay(points)); });
+  std::vector<Index> outline;
+  if (node.has("outline")) outline = node["outline"].as<std::vector<Index>>();
+  grid.mesh = list.made([&] { return std::make_shared<const TriangleMesh>(delaunay(points, outline)); });
   check_mesh_count(list, grid);
   return grid;
 }

@@ -21,8 +21,11 @@ enum class TrianglePattern {
 /// Triangles on the border with an angle below 1° are left out: between points that should lie on one straight side of
 /// the hull, rounding makes such triangles. Points on a common circle may be joined either way.
 ///
-/// @param points  positions [m], not all on one line; those closer than 1e-9 of their extent count as one
-/// @throws MeshError by check of the result, so where points coincide or an inner triangle is a sliver
-[[nodiscard]] TriangleMesh delaunay(const std::vector<Vec2>& points);
+/// @param points   positions [m], not all on one line; those closer than 1e-9 of their extent count as one
+/// @param outline  numbers of points around the meshed area, counter-clockwise; triangles outside are left out. Empty:
+///                 the points' hull
+/// @throws MeshError naming the part of the outline that is no edge of the triangulation; by check of the result, so
+///         where points coincide, an inner triangle is a sliver or a point lies outside the outline
+[[nodiscard]] TriangleMesh delaunay(const std::vector<Vec2>& points, const std::vector<Index>& outline = {});
 
 }  // namespace shoreline
