@@ -76,7 +76,7 @@ PROJECTION = {
 OTHERS = [("grid", {"cells": "triangle", "basis": "linear", "pattern": "four", "lower": [0, 0], "upper": [1, 1],
                     "cell_size": [1, 1]}),
           ("grid", {"mesh": "square.msh", "cells": "triangle", "basis": "powell_sabin"}),
-          ("grid", {"points": SQUARE, "outline": [0, 1, 2, 3], "cells": "triangle", "basis": "linear"}),
+          ("grid", {"points": SQUARE, "cells": "triangle", "basis": "linear"}),
           ("material_points", {"fill": "vertex", "across": [28, 8], "volumes": "lattice"}),
           ("material_points", {"fill": "vertex", "per_cell": 2}),
           ("material_points", {"fill": "polar", "across": [9, 17], "centre": [0, 0], "volumes": "equal"}),
