@@ -1,8 +1,5 @@
 #include "make_basis.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 #include "shoreline/bases/bilinear.hpp"
 #include "shoreline/bases/bspline.hpp"
 #include "shoreline/bases/linear_triangle.hpp"
@@ -12,10 +9,8 @@ namespace shoreline {
 namespace {
 
 QuadrilateralGrid rectangles(const Case::Grid& grid) {
-  constexpr double whole = 1e-9;  // of a cell: an extent this little over whole cells is whole
-  const Vec2 count = (grid.upper - grid.lower).cwiseQuotient(grid.cell_size);
-  const auto cells = [](double n) { return std::max(static_cast<Index>(std::ceil(n - whole)), Index{1}); };
-  return {grid.lower, grid.cell_size, {cells(count.x()), cells(count.y())}};
+  const Vec2 count = rectangles_of(grid);
+  return {grid.lower, grid.cell_size, {static_cast<Index>(count.x()), static_cast<Index>(count.y())}};
 }
 
 TriangleMesh triangles(const Case::Grid& grid) {
@@ -36,6 +31,11 @@ std::unique_ptr<const Basis> make_basis(const Case::Grid& grid) {
       break;
   }
   return std::make_unique<BilinearBasis>(rectangles(grid));
+}
+
+Vec2 rectangles_of(const Case::Grid& grid) {
+  constexpr double whole = 1e-9;  // of a cell: an extent this little over whole cells is whole
+  return ((grid.upper - grid.lower).cwiseQuotient(grid.cell_size).array() - whole).ceil().max(1.0);
 }
 
 const char* name_of(Case::BasisType basis) {

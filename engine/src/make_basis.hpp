@@ -12,6 +12,9 @@ namespace shoreline {
 /// @throws MeshError if the triangles of a case break a rule
 [[nodiscard]] std::unique_ptr<const Basis> make_basis(const Case::Grid& grid);
 
+/// Columns and rows of the rectangles that cover a grid; as doubles, which hold any number of them.
+[[nodiscard]] Vec2 rectangles_of(const Case::Grid& grid);
+
 /// As a case names it.
 [[nodiscard]] const char* name_of(Case::BasisType basis);
 

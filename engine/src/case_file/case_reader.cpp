@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "../make_basis.hpp"
 #include "boundary_reader.hpp"
 #include "grid_reader.hpp"
 #include "keys.hpp"

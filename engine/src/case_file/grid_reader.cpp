@@ -7,6 +7,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "../make_basis.hpp"
 #include "shoreline/bases/gmsh_reader.hpp"
 #include "shoreline/bases/powell_sabin_refinement.hpp"
 
@@ -151,10 +152,6 @@ Case::Grid read_points(const Node& node) {
 
 bool has_triangles(Case::BasisType basis) {
   return basis == Case::BasisType::linear || basis == Case::BasisType::powell_sabin;
-}
-
-Vec2 rectangles_of(const Case::Grid& grid) {
-  return ((grid.upper - grid.lower).cwiseQuotient(grid.cell_size).array() - 1e-9).ceil().max(1.0);
 }
 
 double cells_to_fill(const Case::Grid& grid) {

@@ -25,9 +25,6 @@ std::array<T, 2> pair_of(const Node& node) {
 
 [[nodiscard]] bool has_triangles(Case::BasisType basis);
 
-/// Columns and rows of the rectangles that cover a grid; as doubles, which hold any number of them.
-[[nodiscard]] Vec2 rectangles_of(const Case::Grid& grid);
-
 /// Rectangles, or main triangles: what a lattice of material points fills.
 [[nodiscard]] double cells_to_fill(const Case::Grid& grid);
 
