@@ -1,6 +1,7 @@
 #include "shoreline/boundary/region.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "closed_spans.hpp"
 #include "cubic.hpp"
@@ -64,6 +65,19 @@ bool Region::contains(const Vec2& x) const {
 }
 
 double Region::area() const { return signed_area(spans_->closed); }
+
+Box Region::bounds() const {
+  Box box{Vec2::Constant(INFINITY), Vec2::Constant(-INFINITY)};
+  for (const CubicSpan& span : spans_->closed)
+    for (const int axis : {0, 1}) {
+      const MonotoneParts parts = monotone_parts(coordinate(span, Vec2::Unit(axis)));
+      for (std::size_t k = 0; k <= static_cast<std::size_t>(parts.count); ++k) {
+        box.lower[axis] = std::min(box.lower[axis], parts.value[k]);
+        box.upper[axis] = std::max(box.upper[axis], parts.value[k]);
+      }
+    }
+  return box;
+}
 
 bool Region::near_outline(const Vec2& x, double distance) const {
   bool near = false;

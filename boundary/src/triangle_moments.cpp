@@ -5,6 +5,7 @@
 #include <string>
 
 #include "closed_spans.hpp"
+#include "contour_moments.hpp"
 #include "cubic.hpp"
 #include "grid_crossings.hpp"
 #include "shoreline/boundary/region.hpp"
@@ -13,7 +14,6 @@
 namespace shoreline {
 namespace {
 
-using Moments = Vec3;  ///< ∫ {1, ξ, η} dA
 using Triangle = std::array<Vec2, 3>;
 
 Vec2 centroid(const Triangle& p) { return (p[0] + p[1] + p[2]) / 3.0; }
@@ -91,49 +91,9 @@ std::vector<Run> runs_in_sub_cells(std::span<const SplineCurve> curves, const Tr
   return runs;
 }
 
-/// What the straight line from a to b adds, (R.4).
-Moments along_line(const Vec2& a, const Vec2& b) {
-  return cross(a, b) * Moments(0.5, (a.x() + b.x()) / 6.0, (a.y() + b.y()) / 6.0);
-}
-
-/// What a curve adds, (R.4), in coordinates about @p centre.
-Moments along_curve(const CubicSpan& curve, const Vec2& centre) {
-  static const QuadratureRule rule = gauss(5);  // degree 8
-  Moments sum = Moments::Zero();
-  for (Eigen::Index q = 0; q < rule.point.size(); ++q) {
-    const Vec2 x = curve.position(rule.point[q]) - centre;
-    const double turned = rule.weight[q] * cross(x, curve.derivative(rule.point[q]));
-    sum += turned * Moments(1.0 / 2.0, x.x() / 3.0, x.y() / 3.0);
-  }
-  return sum;
-}
-
-/// A place on ∂T, on the side from corner `side`.
-struct Foot {
-  std::size_t side;
-  Vec2 place;
-};
-
 Foot nearest_corner(const Triangle& p, const Vec2& x) {
   const auto nearest = std::ranges::min_element(p, {}, [&](const Vec2& corner) { return (corner - x).squaredNorm(); });
   return {static_cast<std::size_t>(nearest - p.begin()), *nearest};
-}
-
-Foot nearest_place(const Triangle& p, const Vec2& x) {
-  std::array<Foot, 3> on_side;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec2 edge = p[(k + 1) % 3] - p[k];
-    on_side[k] = {k, p[k] + std::clamp(edge.dot(x - p[k]) / edge.squaredNorm(), 0.0, 1.0) * edge};
-  }
-  return *std::ranges::min_element(on_side, {}, [&](const Foot& foot) { return (foot.place - x).squaredNorm(); });
-}
-
-/// Ψ of (R.5): along ∂T from corner 0 to a foot, and from there to x.
-/// @param p  corners of T, about its centroid
-Moments along_border(const Triangle& p, const Foot& foot, const Vec2& x) {
-  Moments sum = along_line(p[foot.side], foot.place) + along_line(foot.place, x);
-  for (std::size_t k = 0; k < foot.side; ++k) sum += along_line(p[k], p[k + 1]);
-  return sum;
 }
 
 /// A run closed along ∂T. Beside the grid it closes by corners, which the sub-cells on both sides of its ends share.
@@ -147,7 +107,6 @@ Moments closed(const Run& run, const Triangle& p, const Vec2& centre) {
 
 /// Moments of T ∩ Ω from all runs in T.
 Moments covered(const Triangle& corners, std::span<const Run> runs, const Region& region) {
-  constexpr double unclear = 1e-6;  // of the area: so near to none or all, the centroid decides which
   const Vec2 centre = centroid(corners);
   const Triangle p{corners[0] - centre, corners[1] - centre, corners[2] - centre};
   const double whole = area_of(corners);
@@ -160,11 +119,8 @@ Moments covered(const Triangle& corners, std::span<const Run> runs, const Region
     else
       inside += found;
   }
-  const double turns = inside[0] / whole;
-  const double nearest = std::round(turns);
-  const bool clear = std::abs(turns - nearest) > unclear;
-  const double shift = clear ? -std::floor(turns) : (region.contains(centre) ? 1.0 : 0.0) - nearest;
-  return inside + beside + Moments(whole * shift, 0.0, 0.0);
+  const double missing = missing_wholes(inside[0] / whole, [&] { return region.contains(centre); });
+  return inside + beside + Moments(whole * missing, 0.0, 0.0);
 }
 
 }  // namespace

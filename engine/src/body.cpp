@@ -69,6 +69,42 @@ MaterialPoints listed_points(const std::vector<Case::ListedPoint>& listed, const
   return points_at(std::move(position), std::move(volume));
 }
 
+/// Calls fill(grid) with the grid as what it is.
+template <class Fill>
+MaterialPoints on_cells(const Grid& grid, Fill&& fill) {
+  if (const auto* triangles = dynamic_cast<const TriangleGrid*>(&grid)) return fill(*triangles);
+  return fill(dynamic_cast<const QuadrilateralGrid&>(grid));
+}
+
+/// The points that a case asks for, in any order.
+MaterialPoints points_of(const Case& problem, const std::vector<SplineCurve>& curves, const Grid& grid,
+                         const Region* body) {
+  using Listed = std::vector<Case::ListedPoint>;
+  return std::visit(
+      Overloaded{[&](const LatticeFill& f) {
+                   return on_cells(grid, [&](const auto& cells) { return fill_lattice(curves, cells, f); });
+                 },
+                 [&](const BlockFill& f) {
+                   if (problem.grid.mesh)
+                     throw InvalidArgument("points per block need rectangles, and the grid is a mesh");
+                   return fill_lattice(curves, rectangles(problem.grid), LatticeFill{f.per_block, f.volumes});
+                 },
+                 [&](const AcrossFill& f) { return fill_lattice(curves, f); },
+                 [&](const VertexFill& f) {
+                   if (problem.grid.mesh && !f.across)
+                     throw InvalidArgument(
+                         "vertices per cell need rectangles of one size, and the grid is a mesh; give points across "
+                         "the body");
+                   return fill_vertex(curves, problem.grid.cell_size, f);
+                 },
+                 [&](const PolarFill& f) { return fill_polar(curves, f); },
+                 [&](const RandomFill& f) {
+                   return on_cells(grid, [&](const auto& cells) { return fill_random(curves, cells, f); });
+                 },
+                 [&](const Listed& listed) { return listed_points(listed, grid, body); }},
+      problem.material_points);
+}
+
 MaterialPoints fill(const Case& problem, const std::vector<SplineCurve>& curves, const Basis& basis) {
   const Grid& grid = basis.grid();
   const std::string file = problem.file.string();
@@ -77,22 +113,7 @@ MaterialPoints fill(const Case& problem, const std::vector<SplineCurve>& curves,
     throw CaseError(file, "/material_points", "a fill needs an outline, and /boundaries is empty");
   try {
     const std::optional<Region> body = curves.empty() ? std::nullopt : std::optional<Region>(std::in_place, curves);
-    MaterialPoints points = std::visit(
-        Overloaded{[&](const LatticeFill& f) {
-                     if (const auto* triangles = dynamic_cast<const TriangleGrid*>(&grid))
-                       return fill_lattice(curves, *triangles, f);
-                     return fill_lattice(curves, dynamic_cast<const QuadrilateralGrid&>(grid), f);
-                   },
-                   [&](const VertexFill& f) {
-                     if (problem.grid.mesh && !f.across)
-                       throw InvalidArgument(
-                           "vertices per cell need rectangles of one size, and the grid is a mesh; give points across "
-                           "the body");
-                     return fill_vertex(curves, problem.grid.cell_size, f);
-                   },
-                   [&](const PolarFill& f) { return fill_polar(curves, f); },
-                   [&](const Listed& listed) { return listed_points(listed, grid, body ? &*body : nullptr); }},
-        problem.material_points);
+    MaterialPoints points = points_of(problem, curves, grid, body ? &*body : nullptr);
     if (points.size() == 0) throw InvalidArgument("no material point lies in the body; use more points per cell");
     const bool unmarked = std::holds_alternative<VertexFill>(problem.material_points) ||
                           std::holds_alternative<Listed>(problem.material_points);

@@ -12,16 +12,6 @@ namespace {
 
 constexpr double on_lattice = 1e-9;  ///< of a sub-cell: how far off the outline a point of a vertex lattice may lie
 
-Box bounds(std::span<const SplineCurve> curves) {
-  Box box{Vec2::Constant(INFINITY), Vec2::Constant(-INFINITY)};
-  for (const SplineCurve& curve : curves)
-    for (const CubicSpan& span : curve.spans) {
-      box.lower = box.lower.cwiseMin(span.bounds().lower);
-      box.upper = box.upper.cwiseMax(span.bounds().upper);
-    }
-  return box;
-}
-
 /// The sub-cells of those grid cells that meet the body.
 QuadrilateralGrid sub_cells(const Box& body, const QuadrilateralGrid& grid, const std::array<int, 2>& per_cell) {
   const Box all = grid.bounds();
@@ -88,14 +78,14 @@ QuadrilateralGrid vertex_lattice(const Box& body, const Vec2& cell_size, const V
 
 MaterialPoints fill_lattice(std::span<const SplineCurve> curves, const QuadrilateralGrid& grid,
                             const LatticeFill& fill) {
-  const QuadrilateralGrid lattice = sub_cells(bounds(curves), grid, fill.per_cell);
+  const Region region(curves);
+  const QuadrilateralGrid lattice = sub_cells(region.bounds(), grid, fill.per_cell);
   const CellMoments covered = cell_moments(curves, lattice, 1);
   if (fill.volumes == VolumeRule::clipped)
     return place_points(covered, [&](Eigen::Index k, Index cell) -> Placed {
       const auto moment = covered.moment.col(k);
       return std::pair(Vec2(centre(lattice, cell) + moment.segment<2>(1) / moment[0]), moment[0]);
     });
-  const Region region({curves.begin(), curves.end()});
   MaterialPoints points = place_points(covered, [&](Eigen::Index, Index cell) -> Placed {
     if (!region.contains(centre(lattice, cell))) return std::nullopt;
     return std::pair(centre(lattice, cell), lattice.spacing().prod());
@@ -104,11 +94,17 @@ MaterialPoints fill_lattice(std::span<const SplineCurve> curves, const Quadrilat
   return points;
 }
 
+MaterialPoints fill_lattice(std::span<const SplineCurve> curves, const AcrossFill& fill) {
+  const Box body = Region(curves).bounds();
+  const Vec2 spacing = (body.upper - body.lower).cwiseQuotient(Vec2(fill.across[0], fill.across[1]));
+  return fill_lattice(curves, {body.lower, spacing, fill.across}, {{1, 1}, fill.volumes});
+}
+
 MaterialPoints fill_vertex(std::span<const SplineCurve> curves, const Vec2& cell_size, const VertexFill& fill) {
-  const QuadrilateralGrid lattice = vertex_lattice(bounds(curves), cell_size, fill);
+  const Region region(curves);
+  const QuadrilateralGrid lattice = vertex_lattice(region.bounds(), cell_size, fill);
   const Vec2& spacing = lattice.spacing();
   const CellMoments covered = cell_moments(curves, lattice, 0);
-  const Region region({curves.begin(), curves.end()});
   double area = 0.0;
   MaterialPoints points = place_points(covered, [&](Eigen::Index k, Index cell) -> Placed {
     const Vec2 x = centre(lattice, cell);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "grid_under.hpp"
 #include "shoreline/bases/error.hpp"
 #include "shoreline/boundary/region.hpp"
 #include "shoreline/boundary/triangle_moments.hpp"
@@ -16,16 +17,6 @@ int divisions_of(const std::array<int, 2>& per_cell, const TriangleGrid& grid) {
     throw InvalidArgument(fmt::format("per_cell is {} x {}; a triangle is cut alike in all directions: give one number",
                                       per_cell[0], per_cell[1]));
   return grid.parts() == 1 ? per_cell[0] : (per_cell[0] + 1) / 2;
-}
-
-/// A grid may have holes; the body may not reach over them.
-void require_grid_under(const Region& region, double covered) {
-  constexpr double tolerance = 1e-9;
-  if (std::abs(covered - region.area()) > tolerance * region.area())
-    throw InvalidArgument(
-        fmt::format("the triangles under the body hold {:.6g} m² of its {:.6g} m²; expected all (mesh what is missing, "
-                    "or change the outline)",
-                    covered, region.area()));
 }
 
 /// Points at the centroids of those sub-cells in which these lie inside, with the whole sub-cell.

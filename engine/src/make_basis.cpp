@@ -8,11 +8,6 @@
 namespace shoreline {
 namespace {
 
-QuadrilateralGrid rectangles(const Case::Grid& grid) {
-  const Vec2 count = rectangles_of(grid);
-  return {grid.lower, grid.cell_size, {static_cast<Index>(count.x()), static_cast<Index>(count.y())}};
-}
-
 TriangleMesh triangles(const Case::Grid& grid) {
   return grid.mesh ? *grid.mesh : triangulate(rectangles(grid), grid.pattern);
 }
@@ -36,6 +31,11 @@ std::unique_ptr<const Basis> make_basis(const Case::Grid& grid) {
 Vec2 rectangles_of(const Case::Grid& grid) {
   constexpr double whole = 1e-9;  // of a cell: an extent this little over whole cells is whole
   return ((grid.upper - grid.lower).cwiseQuotient(grid.cell_size).array() - whole).ceil().max(1.0);
+}
+
+QuadrilateralGrid rectangles(const Case::Grid& grid) {
+  const Vec2 count = rectangles_of(grid);
+  return {grid.lower, grid.cell_size, {static_cast<Index>(count.x()), static_cast<Index>(count.y())}};
 }
 
 const char* name_of(Case::BasisType basis) {

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "shoreline/bases/basis.hpp"
+#include "shoreline/bases/quadrilateral_grid.hpp"
 #include "shoreline/engine/case.hpp"
 #include "shoreline/engine/results.hpp"
 
@@ -14,6 +15,10 @@ namespace shoreline {
 
 /// Columns and rows of the rectangles that cover a grid; as doubles, which hold any number of them.
 [[nodiscard]] Vec2 rectangles_of(const Case::Grid& grid);
+
+/// The rectangles of a grid, whole or cut.
+/// @pre the grid is no mesh
+[[nodiscard]] QuadrilateralGrid rectangles(const Case::Grid& grid);
 
 /// As a case names it.
 [[nodiscard]] const char* name_of(Case::BasisType basis);

@@ -83,6 +83,24 @@ TEST_CASE("a small gap between pieces leaves no leak", "[boundary][region]") {
   CHECK_THAT(sum_of(moments, 0), WithinAbs(1.0, 1e-12));
 }
 
+TEST_CASE("the bounds of a region are those of its outline, not of control points", "[boundary][region]") {
+  test::RandomPieces random(8);
+  for (int draw = 0; draw < 50; ++draw) {
+    const std::vector<SplineCurve> curve = fit({random.star()});
+    Box sampled{curve[0].spans[0].control[0], curve[0].spans[0].control[0]};
+    for (const CubicSpan& span : curve[0].spans)
+      for (int k = 0; k <= 1000; ++k) {
+        sampled.lower = sampled.lower.cwiseMin(span.position(k / 1000.0));
+        sampled.upper = sampled.upper.cwiseMax(span.position(k / 1000.0));
+      }
+    const Box box = Region(curve).bounds();
+    CHECK((sampled.lower - box.lower).minCoeff() >= -1e-15);
+    CHECK((box.upper - sampled.upper).minCoeff() >= -1e-15);
+    CHECK((sampled.lower - box.lower).maxCoeff() < 1e-5);
+    CHECK((box.upper - sampled.upper).maxCoeff() < 1e-5);
+  }
+}
+
 TEST_CASE("near the outline is what is at most that far from it", "[boundary][region]") {
   const std::vector<SplineCurve> curves = fit({circle({0, 0}, 1.0, 256, false)});
   const Region region(curves);

@@ -125,30 +125,6 @@ TEST_CASE("arcs and circles place their points on the circle", "[engine][case_re
     for (const Vec2& x : boundary.piece.points) CHECK_THAT((x - Vec2(1, 2)).norm(), WithinAbs(0.5, 1e-15));
 }
 
-TEST_CASE("fills and listed points", "[engine][case_reader]") {
-  const auto points = [](const std::string& json) { return with({"material_points=" + json}).material_points; };
-  const auto vertex = std::get<VertexFill>(points(R"({"fill": "vertex", "per_cell": 4})"));
-  CHECK(vertex.count == std::array{4, 4});
-  CHECK_FALSE(vertex.across);
-  CHECK(vertex.volumes == VolumeRule::clipped);
-  const auto across = std::get<VertexFill>(points(R"({"fill": "vertex", "across": [28, 8], "volumes": "lattice"})"));
-  CHECK(across.count == std::array{28, 8});
-  CHECK(across.across);
-  CHECK(across.volumes == VolumeRule::lattice);
-  const auto lattice = std::get<LatticeFill>(points(R"({"per_cell": 2, "volumes": "equal"})"));
-  CHECK(lattice.volumes == VolumeRule::equal);
-  const auto polar = std::get<PolarFill>(points(R"({"fill": "polar", "across": [9, 17], "volumes": "equal"})"));
-  CHECK(polar.across == std::array{9, 17});
-  CHECK(polar.centre == Vec2::Zero());
-  CHECK(polar.volumes == VolumeRule::equal);
-  CHECK(std::get<PolarFill>(points(R"({"fill": "polar", "across": [2, 2], "centre": [1, -2]})")).centre == Vec2(1, -2));
-  const auto listed =
-      std::get<std::vector<Case::ListedPoint>>(points(R"({"points": [[0.1, 0.2], [0.3, 0.4]], "volumes": [2, 3]})"));
-  REQUIRE(listed.size() == 2);
-  CHECK(listed[1].position == Vec2(0.3, 0.4));
-  CHECK(listed[1].volume == 3.0);
-}
-
 TEST_CASE("a displacement is prescribed as a vector, along the normal, or by the exact solution",
           "[engine][case_reader]") {
   const auto condition = [](const std::string& more) {
@@ -271,17 +247,13 @@ TEST_CASE("a message names file, place, what was found and what was expected", "
 TEST_CASE("a grid of more cells than a machine holds is refused with their number", "[engine][case_reader]") {
   CHECK_THROWS_WITH(with({"grid.cell_size=[1e-5, 1e-5]"}), Contains("/grid/cell_size") && Contains("4e+10 cells"));
   CHECK_THROWS_WITH(with({"grid.cell_size=[1e-12, 1e3]"}), Contains("/grid/cell_size") && Contains("2e+12 x 1"));
-  CHECK_THROWS_WITH(with({"grid.cell_size=0.001", "material_points.per_cell=1000"}),
-                    Contains("/material_points/per_cell") && Contains("4e+12 points"));
-  CHECK_THROWS_WITH(with({R"(material_points={"fill": "polar", "across": [100000, 100000]})"}),
-                    Contains("/material_points/across") && Contains("1e+10 points"));
 }
 
 TEST_CASE("schema and reference page name every key that a case may have", "[engine][case_reader]") {
   const std::string key =
       GENERATE("title", "plane", "youngs_modulus", "cell_size", "corners", "band", "hole", "per_cell", "gravity",
                "ghost", "displacement", "condition_estimate", "pictures", "load", "normal", "across", "centre",
-               "far_field_stress", "inner_radius", "probes", "position", "respace");
+               "far_field_stress", "inner_radius", "probes", "position", "respace", "per_block", "seed");
   CHECK_THAT(case_schema(), Contains("\"" + key + "\""));
   CHECK_THAT(case_format(), Contains("| `" + key + "` |"));
 }

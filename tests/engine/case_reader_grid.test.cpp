@@ -134,6 +134,10 @@ TEST_CASE("material points on triangles", "[engine][case_reader]") {
   CHECK(std::get<LatticeFill>(points(mesh, R"({"per_cell": [3, 3]})")).per_cell == std::array{3, 3});
   CHECK(std::get<VertexFill>(points(mesh, R"({"fill": "vertex", "across": [3, 4]})")).across);
   CHECK(std::get<VertexFill>(points(cut, R"({"fill": "vertex", "per_cell": [3, 4]})")).count == std::array{3, 4});
+  CHECK(std::get<BlockFill>(points(cut, R"({"per_block": [3, 4]})")).per_block == std::array{3, 4});
+  CHECK(std::get<AcrossFill>(points(mesh, R"({"across": [3, 4]})")).across == std::array{3, 4});
+  CHECK_THROWS_WITH(points(mesh, R"({"per_block": 3})"),
+                    Contains("/material_points/per_block: ") && Contains("no rectangles") && Contains("\"across\""));
   for (const std::string& grid : {cut, mesh})
     CHECK_THROWS_WITH(points(grid, R"({"per_cell": [3, 4]})"),
                       Contains("/material_points/per_cell: ") && Contains("[3,4]") && Contains("one number"));

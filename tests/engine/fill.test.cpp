@@ -187,3 +187,21 @@ TEST_CASE("points on the outline are marked with the way in, points inside are n
     CHECK_THAT((edge.inward - to_middle.normalized()).norm(), WithinAbs(0.0, 1e-2));
   }
 }
+
+TEST_CASE("sub-cells across the body are those of its box, whatever lies under it", "[engine][fill]") {
+  const std::vector<SplineCurve> body = rectangle({0.1, 0.3}, {1.3, 0.9});
+  for (const VolumeRule volumes : {VolumeRule::clipped, VolumeRule::lattice, VolumeRule::equal}) {
+    const MaterialPoints points = fill_lattice(body, AcrossFill{{6, 2}, volumes});
+    REQUIRE(points.size() == 12);
+    CHECK((points.volume.array() - 0.06).abs().maxCoeff() < 1e-14);
+    for (Index p = 0; p < 12; ++p)
+      CHECK((points.position.col(p) - Vec2(0.1 + 0.2 * (p % 6 + 0.5), 0.3 + 0.3 * (p / 6 + 0.5))).norm() < 1e-14);
+  }
+  // a circle of radius 1 through points that are not its extremes: the box is that of the curve
+  Piece turned = circle({0.5, -2.0}, 1.0, 48, false);
+  for (Vec2& x : turned.points) x = Vec2(0.5, -2.0) + Eigen::Rotation2Dd(0.03) * (x - Vec2(0.5, -2.0));
+  const std::vector<SplineCurve> round{fit_spline(turned)};
+  const MaterialPoints clipped = fill_lattice(round, AcrossFill{{9, 7}});
+  CHECK_THAT(clipped.volume.sum(), WithinRel(std::numbers::pi, 1e-5));
+  CHECK_THAT(clipped.volume.maxCoeff(), WithinRel(2.0 / 9.0 * 2.0 / 7.0, 1e-5));
+}

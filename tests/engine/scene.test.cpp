@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
+#include "../every_grid.hpp"
 #include "../scenes.hpp"
 #include "shoreline/engine/failures.hpp"
 
@@ -32,6 +33,19 @@ std::string refusal(const Case& problem) {
 std::vector<Constraint> constraints(const Scene& scene) {
   const test::Step step(scene);
   return grid_constraints(*scene.basis, scene.boundary, step.state.edges, step.prescribed);
+}
+
+/// Position and volume of every point of a disc, in an order that does not depend on the grid.
+std::vector<std::array<double, 3>> disc_points(const Case::Grid& grid, const Case::MaterialPoints& fill) {
+  Case problem = test::disc_case(1.0, 0.25, Case::Free{});
+  problem.grid = grid;
+  problem.material_points = fill;
+  const MaterialPoints points = build_scene(problem).points;
+  std::vector<std::array<double, 3>> all;
+  for (Index p = 0; p < points.size(); ++p)
+    all.push_back({points.position(1, p), points.position(0, p), points.volume[p]});
+  std::ranges::sort(all);
+  return all;
 }
 
 }  // namespace
@@ -113,6 +127,52 @@ TEST_CASE("a fill that finds no points, or no lattice, is refused at material_po
   CHECK_THAT(refusal(problem), Contains("/material_points") && Contains("needs an outline"));
   problem.material_points = std::vector<Case::ListedPoint>{{Vec2::Zero(), 1.0}};
   CHECK(refusal(problem) == "accepted");
+}
+
+TEST_CASE("points per block are those per cell of the rectangles, however triangles cut these", "[engine][scene]") {
+  const Case::Grid rectangles = test::disc_case(1.0, 0.25, Case::Free{}).grid;
+  for (const VolumeRule volumes : {VolumeRule::clipped, VolumeRule::lattice, VolumeRule::equal}) {
+    const auto expected = disc_points(rectangles, LatticeFill{{2, 3}, volumes});
+    for (auto basis : {Case::BasisType::bilinear, Case::BasisType::linear, Case::BasisType::powell_sabin})
+      for (auto pattern : {TrianglePattern::diagonal, TrianglePattern::four}) {
+        Case::Grid grid = rectangles;
+        grid.basis = basis;
+        grid.pattern = pattern;
+        CHECK(disc_points(grid, BlockFill{{2, 3}, volumes}) == expected);
+      }
+  }
+  Case::Grid mesh = rectangles;
+  mesh.basis = Case::BasisType::linear;
+  mesh.mesh = test::jittered_square(mesh.lower, 3.5, 9);
+  Case problem = test::disc_case(1.0, 0.25, Case::Free{});
+  problem.grid = mesh;
+  problem.material_points = BlockFill{{2, 2}};
+  CHECK_THAT(refusal(problem), Contains("disc.json: /material_points: ") && Contains("rectangles"));
+}
+
+TEST_CASE("points across the body are the same on every grid", "[engine][scene]") {
+  const Case problem = test::disc_case(1.0, 0.25, Case::Free{});
+  const AcrossFill fill{{9, 8}};
+  const auto expected = disc_points(problem.grid, fill);
+  CHECK(expected.size() > 9 * 8 * 3 / 4);
+  CHECK(expected.size() <= 9 * 8);
+  for (const auto& [name, grid] : test::every_grid(problem.grid.lower, 3.5, 9)) {
+    CAPTURE(name);
+    CHECK(disc_points(grid, fill) == expected);
+  }
+}
+
+TEST_CASE("random points keep their cells and sum to the body on every grid", "[engine][scene]") {
+  Case problem = test::disc_case(1.0, 0.25, Case::Free{});
+  const double area = Region(std::vector{fit_spline(problem.boundaries[0].piece)}).area();
+  problem.material_points = RandomFill{.per_element = 3};
+  for (const auto& [name, grid] : test::every_grid(problem.grid.lower, 3.5, 9)) {
+    CAPTURE(name);
+    problem.grid = grid;
+    const Scene scene = build_scene(problem);
+    CHECK(scene.points.on_outline.empty());
+    CHECK_THAT(scene.points.volume.sum(), WithinRel(area, 1e-12));
+  }
 }
 
 TEST_CASE("a listed point lies in the outline, or as little beside it as a spline lies beside an arc",

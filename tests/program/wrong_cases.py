@@ -79,13 +79,16 @@ OTHERS = [("grid", {"cells": "triangle", "basis": "linear", "pattern": "four", "
           ("grid", {"points": SQUARE, "cells": "triangle", "basis": "linear"}),
           ("material_points", {"fill": "vertex", "across": [28, 8], "volumes": "lattice"}),
           ("material_points", {"fill": "vertex", "per_cell": 2}),
+          ("material_points", {"fill": "lattice", "per_block": [2, 3]}),
+          ("material_points", {"fill": "lattice", "across": [20, 8], "volumes": "equal"}),
+          ("material_points", {"fill": "random", "per_cell": 4, "seed": 7, "volumes": "voronoi"}),
           ("material_points", {"fill": "polar", "across": [9, 17], "centre": [0, 0], "volumes": "equal"}),
           ("exact", {"type": "plate_with_hole", "radius": 0.5, "far_field_stress": 1e6}),
           ("exact", {"type": "thick_cylinder", "inner_radius": 1.0, "outer_radius": 5.0, "pressure": 1e6})]
 
 OPTIONAL = {"title", "load_steps", "load", "loading", "density", "cells", "basis", "degree", "pattern", "corners", "condition", "method", "band",
             "fill", "volumes", "body_force", "gravity", "ghost", "constants", "exact", "probes", "tracking", "respace",
-            "centre", "solver", "threads", "diagnostics", "condition_estimate", "output", "every", "pictures", "hole", "p",
+            "centre", "seed", "solver", "threads", "diagnostics", "condition_estimate", "output", "every", "pictures", "hole", "p",
             "gradient", "mass"}
 
 
@@ -125,7 +128,7 @@ def keys(value, pointer=""):
 def one_of_several(key, among):
     """Whether a key stands for others that could be there in its place."""
     families = [("mass", {"value", "data"}), ("name", {"points", "line", "arc", "circle"}), ("method", {"value", "normal"}),
-                ("fill", {"per_cell", "across"} if among.get("fill") == "vertex" else {})]
+                ("fill", {"per_cell", "per_block", "across"} if among.get("fill") in ("vertex", "lattice") else {})]
     return any(beside in among and key in family for beside, family in families)
 
 
@@ -279,12 +282,22 @@ def wrong_together():
     yield Wrong("an exact displacement of no exact solution", changed("exact", lambda at, last: at.pop(last)),
                 "/boundaries/5/condition/value", ['the key "exact"'], False)
     yield also("material_points", "points", [[0, 0]], "/material_points", ["unknown key"], True)
-    yield also("material_points", "across", [2, 2], "/material_points", ['unknown key "across"'], True)
+    yield also("material_points", "across", [2, 2], "/material_points", ['"per_cell" and "across"', "exactly one of"], True)
+    yield also("material_points", "seed", 1, "/material_points", ['unknown key "seed"'], True)
     for value, pointer, words, structural in [
             ({"fill": "vertex", "across": [28, 8], "per_cell": 2}, "", ["exactly one of"], True),
             ({"fill": "vertex"}, "", ["exactly one of"], True),
             ({"fill": "vertex", "across": [1, 8]}, "/across/0", ["from 2"], True),
             ({"fill": "vertex", "across": 8}, "/across", ["list of 2"], True),
+            ({"volumes": "equal"}, "", ["found none", '"per_cell", "per_block", "across"'], True),
+            ({"per_block": 0}, "/per_block", ["from 1 to 1000"], True),
+            ({"across": 8}, "/across", ["list of 2"], True),
+            ({"across": [0, 8]}, "/across/0", ["from 1"], True),
+            ({"across": [100000, 100000]}, "/across", ["1e+10 points"], False),
+            ({"fill": "random"}, "", ['"per_cell" is missing'], True),
+            ({"fill": "random", "per_cell": [2, 2]}, "/per_cell", ["whole number from 1 to 1000"], True),
+            ({"fill": "random", "per_cell": 2, "seed": -1}, "/seed", ["from 0"], True),
+            ({"fill": "random", "per_cell": 2, "volumes": "clipped"}, "/volumes", ['"voronoi"'], True),
             ({"fill": "polar", "per_cell": 2}, "", ['unknown key "per_cell"'], True),
             ({"fill": "polar", "across": [2, 1e300]}, "/across/1", ["1000000"], True),
             ({"fill": "polar", "across": [100000, 100000]}, "/across", ["1e+10 points"], False),
@@ -343,6 +356,8 @@ def wrong_grids():
     square = {**CASE, "grid": {"mesh": "square.msh"}}
     yield Wrong("vertices per cell on a mesh", replaced("material_points", {"fill": "vertex", "per_cell": 2}, square),
                 "/material_points/per_cell", ["mesh", '"across"'], False)
+    yield Wrong("points per block on a mesh", replaced("material_points", {"per_block": 2}, square),
+                "/material_points/per_block", ["no rectangles", '"across"'], False)
     yield Wrong("two numbers a triangle", replaced("material_points", {"per_cell": [2, 3]}, square),
                 "/material_points/per_cell", ["found [2,3]", "one number"], False)
     many = {**CASE, "grid": {**frame, "cell_size": 0.004, "basis": "linear"}}

@@ -4,17 +4,15 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 
-#include "../make_basis.hpp"
 #include "boundary_reader.hpp"
 #include "grid_reader.hpp"
 #include "keys.hpp"
 #include "overrides.hpp"
-#include "shoreline/bases/powell_sabin_refinement.hpp"
+#include "point_reader.hpp"
 #include "shoreline/engine/defaults.hpp"
 
 namespace shoreline {
@@ -45,61 +43,6 @@ Case::Material read_material(const Node& node) {
                           .density = std::nullopt};
   if (node.has("density")) material.density = node["density"].as<double>();
   return material;
-}
-
-std::vector<Case::ListedPoint> read_listed_points(const Node& node) {
-  if (node["points"].size() != node["volumes"].size())
-    node["volumes"].place.fail(fmt::format("found {} volumes, expected one for each of {} points",
-                                           node["volumes"].size(), node["points"].size()));
-  std::vector<Case::ListedPoint> points;
-  for (std::size_t i = 0; i < node["points"].size(); ++i)
-    points.push_back({node["points"].entry(i).vector(), node["volumes"].entry(i).as<double>()});
-  return points;
-}
-
-VolumeRule read_volumes(const Node& node) {
-  if (node.is("lattice")) return VolumeRule::lattice;
-  return node.is("equal") ? VolumeRule::equal : VolumeRule::clipped;
-}
-
-/// Refuses more points than a machine holds.
-/// @param points  that there may be
-void check_count(const Node& node, double points) {
-  constexpr double most = 1e9;
-  if (points > most)
-    node.place.fail(fmt::format("found {}, up to {:.3g} points, expected at most {:g}; take fewer, or larger cells",
-                                node.value.dump(), points, most));
-}
-
-LatticeFill read_lattice(const Node& node, const Case::Grid& grid) {
-  const auto per_cell = pair_of<int>(node["per_cell"]);
-  if (has_triangles(grid.basis) && per_cell[0] != per_cell[1])
-    node["per_cell"].place.fail(fmt::format("found {}, expected one number: triangles are cut alike in all directions",
-                                            node["per_cell"].value.dump()));
-  const double half = std::ceil(0.5 * per_cell[0]);  // of a side, on each part of a Powell-Sabin triangle
-  const bool parts = grid.basis == Case::BasisType::powell_sabin;
-  check_count(node["per_cell"],
-              cells_to_fill(grid) * (parts ? powell_sabin_parts * half * half : 1.0 * per_cell[0] * per_cell[1]));
-  return {per_cell, read_volumes(node["volumes"])};
-}
-
-VertexFill read_vertex(const Node& node, const Case::Grid& grid) {
-  const bool across = node.has("across");
-  const auto count = pair_of<int>(node[across ? "across" : "per_cell"]);
-  if (!across && grid.mesh)
-    node["per_cell"].place.fail(
-        "found points per cell on a mesh without rectangles, which has no cell size; expected \"across\"");
-  check_count(node[across ? "across" : "per_cell"], (across ? 1.0 : rectangles_of(grid).prod()) * count[0] * count[1]);
-  return {count, across, read_volumes(node["volumes"])};
-}
-
-Case::MaterialPoints read_material_points(const Node& node, const Case::Grid& grid) {
-  if (node.has("points")) return read_listed_points(node);
-  if (node["fill"].is("lattice")) return read_lattice(node, grid);
-  if (node["fill"].is("vertex")) return read_vertex(node, grid);
-  const auto across = pair_of<int>(node["across"]);
-  check_count(node["across"], 1.0 * across[0] * across[1]);
-  return PolarFill{node["centre"].vector(), across, read_volumes(node["volumes"])};
 }
 
 Case::Exact read_exact(const Node& node, const Constants& constants) {

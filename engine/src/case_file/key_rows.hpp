@@ -36,4 +36,7 @@ inline Schema one_or_pair(const Schema& entry) { return {Either{{entry, several(
 /// Keys of `grid`.
 [[nodiscard]] Schema grid();
 
+/// Keys of `material_points`.
+[[nodiscard]] Schema material_points();
+
 }  // namespace shoreline::keys

@@ -102,43 +102,6 @@ Schema boundary() {
       {"points", "line", "arc", "circle"}}};
 }
 
-Key volumes(std::vector<std::string> rules, std::string meaning) {
-  return key("volumes", {Choice{std::move(rules)}}, otherwise("clipped"), "", std::move(meaning));
-}
-
-Schema material_points() {
-  const auto per_cell = [](const Presence& presence) {
-    return key("per_cell", one_or_pair({Integer{1, 1000}}), presence, "", "sub-cells in each direction of a cell");
-  };
-  const Schema layers = several(2, {Integer{2, 1000000}});
-  const Object listed{
-      {key("points", list(position(), 1, many), required, "m", "positions"),
-       key("volumes", list(positive_number(), 1, many), required, "m³ per metre of thickness", "one a point")},
-      {}};
-  const Object lattice{
-      {per_cell(required), volumes({"clipped", "lattice", "equal"},
-                                   "`clipped`: a point at the centroid of each sub-cell's part inside the outline, "
-                                   "with its area; `lattice`: at its centre, with the whole sub-cell; `equal`: there, "
-                                   "each with the same share of the body")},
-      {}};
-  const Object vertex{
-      {per_cell(optional),
-       key("across", layers, optional, "", "points from side to side in x and y, both outer layers included"),
-       volumes({"clipped", "lattice", "equal"},
-               "`clipped`: the part of a point's sub-cell inside the outline (halves on edges, quarters at corners); "
-               "`lattice`: the whole sub-cell; `equal`: the same share of the body for each")},
-      {"per_cell", "across"}};
-  const Object polar{
-      {key("across", layers, required, "", "points along the radius and along the angle, both outer layers included"),
-       key("centre", position(), otherwise(Json::array({0, 0})), "m", "of the ring or sector that the outline bounds"),
-       volumes({"clipped", "equal"},
-               "`clipped`: a point's own sector of the ring, halved at the outer layers; `equal`: "
-               "the same share of the body for each")},
-      {}};
-  return {
-      Either{{{listed}, {Tagged{{{"lattice", lattice}, {"vertex", vertex}, {"polar", polar}}, "fill", "lattice"}}}}};
-}
-
 Schema exact() {
   const Object plate{{key("radius", length(), required, "m", "radius of a hole about the origin"),
                       key("far_field_stress", any_number(), required, "Pa", "σ_xx far away, times the load factor")},

@@ -25,6 +25,9 @@ class Region {
   /// ½ ∮ (x dy − y dx), exactly for cubic spans, (R.1) [m²].
   [[nodiscard]] double area() const;
 
+  /// The smallest box that holds the outline [m].
+  [[nodiscard]] Box bounds() const;
+
   /// Whether the distance from @p x to the outline is at most @p distance > 0 [m].
   [[nodiscard]] bool near_outline(const Vec2& x, double distance) const;
 

@@ -77,7 +77,8 @@ struct Case {
     Vec2 position;  ///< [m]
     double volume;  ///< [m³ per metre of thickness]
   };
-  using MaterialPoints = std::variant<LatticeFill, VertexFill, PolarFill, std::vector<ListedPoint>>;
+  using MaterialPoints =
+      std::variant<LatticeFill, BlockFill, AcrossFill, VertexFill, PolarFill, RandomFill, std::vector<ListedPoint>>;
   /// An exact solution by formulas, functions of the original position and t.
   struct ExactExpressions {
     std::array<Expression, 2> displacement;  ///< [m]

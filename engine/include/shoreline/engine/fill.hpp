@@ -23,6 +23,18 @@ struct LatticeFill {
   VolumeRule volumes = VolumeRule::clipped;
 };
 
+/// Points in the sub-cells of every rectangle of a grid, however triangles cut it.
+struct BlockFill {
+  std::array<int, 2> per_block{};
+  VolumeRule volumes = VolumeRule::clipped;
+};
+
+/// Points in the sub-cells of the box that bounds the body, whatever the grid.
+struct AcrossFill {
+  std::array<int, 2> across{};
+  VolumeRule volumes = VolumeRule::clipped;
+};
+
 /// Points on the nodes of a lattice whose outer layer lies on the outline.
 struct VertexFill {
   std::array<int, 2> count{};  ///< sub-cells in a cell size; or, if across, points from side to side of the body
@@ -35,6 +47,17 @@ struct PolarFill {
   Vec2 centre = Vec2::Zero();   ///< [m]
   std::array<int, 2> across{};  ///< points along the radius and along the angle, both outer layers included
   VolumeRule volumes = VolumeRule::clipped;
+};
+
+/// Points anywhere in the elements.
+struct RandomFill {
+  enum class Volumes {
+    voronoi,  ///< a point has the part of the body that is nearer to it than to all others
+    equal     ///< every point has the same share of the body's area
+  };
+  int per_element = 1;  ///< 1 to 1000
+  int seed = 1;         ///< >= 0
+  Volumes volumes = Volumes::voronoi;
 };
 
 /// One point in each sub-cell that the body covers, (V.1).
@@ -54,6 +77,23 @@ struct PolarFill {
 /// @throws InvalidArgument with the two numbers if they differ
 [[nodiscard]] MaterialPoints fill_lattice(std::span<const SplineCurve> curves, const TriangleGrid& grid,
                                           const LatticeFill& fill);
+
+/// The same in the sub-cells s of the box that bounds the body, from side to side, (V.5).
+[[nodiscard]] MaterialPoints fill_lattice(std::span<const SplineCurve> curves, const AcrossFill& fill);
+
+/// Points anywhere in the body, uniformly in the part E ∩ Ω that it covers of each element E (rectangle or main
+/// triangle), (V.7): round(per_element · |E ∩ Ω|/|E|) of them, at least one where that part is more than 1e-8 of E.
+///
+/// Each element draws by itself, from a generator seeded by `seed` and its number: the same points on every machine, in
+/// any order of elements. A part of less than 1e-4 of its cell has its point at its centroid, where that lies inside;
+/// no point stands for one that 100 000 draws miss. Volumes are those of voronoi_areas, (V.6), or |Ω|/N; either way
+/// they sum to the area of the body.
+///
+/// @throws InvalidArgument with both areas if the body reaches over a hole of the triangles
+[[nodiscard]] MaterialPoints fill_random(std::span<const SplineCurve> curves, const QuadrilateralGrid& grid,
+                                         const RandomFill& fill);
+[[nodiscard]] MaterialPoints fill_random(std::span<const SplineCurve> curves, const TriangleGrid& grid,
+                                         const RandomFill& fill);
 
 /// Points on the nodes of a lattice anchored at the lower left of the body, whose outer layer lies on the outline,
 /// (V.2). `clipped`: each has the part of its sub-cell that the body covers (halves on edges, quarters at corners);
