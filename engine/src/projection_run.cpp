@@ -217,11 +217,11 @@ Summary run_projection(const Case& problem, const RunOptions& options, int threa
         phases.time("projection", [&] { return solve(problem, setup, projection, value); });
     summary.projection_errors = phases.time("errors", [&] { return errors_of(setup, projection, value, coefficient); });
     phases.time("output", [&] {
-      ResultsWriter(options.output, problem.title, setup.basis->grid())
+      ResultsWriter(options.output, problem.title, setup.basis->grid(), "projection")
           .write(sampled(setup, projection, coefficient, determined_cells(setup)));
     });
   } catch (const ComputationError& error) {
-    const ResultsWriter empty(options.output, problem.title, setup.basis->grid());
+    const ResultsWriter empty(options.output, problem.title, setup.basis->grid(), "projection");
     finish(error.what());
     throw;
   }

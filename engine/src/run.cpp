@@ -152,10 +152,10 @@ Summary run(const Case& problem, const RunOptions& options) {
   Summary summary = start(problem, scene, threads);
 
   Saving saving(problem, options.output, scene, record);
-  Progress progress(scene.load_steps, options.quiet);
+  Progress progress(options.quiet);
   const auto after_step = [&](int step) {
     saving.after_step(step);
-    if (step < scene.load_steps) progress.begin(step + 1);
+    if (step < scene.load_steps) progress.begin(step + 1, scene.load_steps);
   };
   const auto finish = [&](bool completed, const std::string& message) {
     summary.completed = completed;
@@ -169,7 +169,7 @@ Summary run(const Case& problem, const RunOptions& options) {
     write_summary(summary, options.output);
   };
   try {
-    progress.begin(1);
+    progress.begin(1, scene.load_steps);
     run_load_steps(scene, {.condition_estimate = problem.condition_estimate, .after_step = after_step}, record);
     const bool radii = problem.exact && std::holds_alternative<ThickCylinder>(*problem.exact);
     if (scene.exact)

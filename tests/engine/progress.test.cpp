@@ -19,8 +19,8 @@ std::string printed(int descriptor, int reading_end, bool quiet) {
   const int kept = dup(STDERR_FILENO);
   dup2(descriptor, STDERR_FILENO);
   {
-    Progress progress(2, quiet);
-    progress.begin(1);
+    Progress progress(quiet);
+    progress.begin(1, 2);
   }
   fflush(stderr);
   dup2(kept, STDERR_FILENO);

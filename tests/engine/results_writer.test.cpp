@@ -140,7 +140,7 @@ TEST_CASE("the history of probes grows by what is new, whatever steps are saved"
 
 TEST_CASE("without probes nothing is built for them", "[engine][results]") {
   const OutputFolder folder;
-  ResultsWriter(folder.path, "title", grid).append({});
+  ResultsWriter(folder.path, "title", grid).append(std::vector<Probe>{});
   const hid_t file = H5Fopen((folder.path / "results.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   CHECK(H5Lexists(file, "probes", H5P_DEFAULT) == 0);
   H5Fclose(file);

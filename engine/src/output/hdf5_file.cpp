@@ -99,19 +99,21 @@ bool make_growing(hid_t file, const std::string& path, hsize_t width) {
       .valid();
 }
 
-bool write_last_row(hid_t file, const std::string& path, const Eigen::VectorXd& row) {
+bool write_last_rows(hid_t file, const std::string& path, const Eigen::MatrixXd& columns) {
   const Handle set(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose);
   std::array<hsize_t, 2> size{};
   {
     const Handle space(H5Dget_space(set.id()), H5Sclose);
     H5Sget_simple_extent_dims(space.id(), size.data(), nullptr);
   }
-  const std::array<hsize_t, 2> start{size[0]++, 0}, count{1, static_cast<hsize_t>(row.size())};
+  const std::array<hsize_t, 2> start{size[0], 0};
+  const std::array<hsize_t, 2> count{static_cast<hsize_t>(columns.cols()), static_cast<hsize_t>(columns.rows())};
+  size[0] += count[0];
   if (H5Dset_extent(set.id(), size.data()) < 0) return false;
   const Handle space(H5Dget_space(set.id()), H5Sclose);
   H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
-  const Handle memory(H5Screate_simple(1, &count[1], nullptr), H5Sclose);
-  return H5Dwrite(set.id(), H5T_NATIVE_DOUBLE, memory.id(), space.id(), H5P_DEFAULT, row.data()) >= 0;
+  const Handle memory(H5Screate_simple(2, count.data(), nullptr), H5Sclose);
+  return H5Dwrite(set.id(), H5T_NATIVE_DOUBLE, memory.id(), space.id(), H5P_DEFAULT, columns.data()) >= 0;
 }
 
 bool write_attribute(hid_t file, const std::string& path, const std::string& name, hid_t type, const void* value) {
@@ -167,13 +169,13 @@ void Hdf5File::write_table(const std::string& path, const Eigen::MatrixXi& colum
   if (!write_array(id_, path, H5T_NATIVE_INT, columns.data(), shape)) fail(file_, path);
 }
 
-void Hdf5File::append_row(const std::string& path, const Eigen::VectorXd& row, const std::string& unit) {
+void Hdf5File::append_rows(const std::string& path, const Eigen::MatrixXd& columns, const std::string& unit) {
   const Quiet quiet;
   if (!contains(path)) {
-    if (!make_growing(id_, path, static_cast<hsize_t>(row.size()))) fail(file_, path);
+    if (!make_growing(id_, path, static_cast<hsize_t>(columns.rows()))) fail(file_, path);
     set_attribute(path, "unit", unit);
   }
-  if (!write_last_row(id_, path, row)) fail(file_, path);
+  if (!write_last_rows(id_, path, columns)) fail(file_, path);
 }
 
 void Hdf5File::set_attribute(const std::string& path, const std::string& name, const std::string& text) {

@@ -29,8 +29,9 @@ class Hdf5File {
   void write_numbers(const std::string& path, const Eigen::VectorXd& numbers, const std::string& unit);
   void write_table(const std::string& path, const Eigen::MatrixXi& columns);
 
-  /// Adds one row to an array that grows, which is made where it is missing. Rows of one number make a vector.
-  void append_row(const std::string& path, const Eigen::VectorXd& row, const std::string& unit);
+  /// Adds columns of @p columns as rows to an array that grows, which is made where it is missing. Rows of one number
+  /// make a vector.
+  void append_rows(const std::string& path, const Eigen::MatrixXd& columns, const std::string& unit);
 
   void set_attribute(const std::string& path, const std::string& name, const std::string& text);
   void set_attribute(const std::string& path, const std::string& name, double number);

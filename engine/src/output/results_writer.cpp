@@ -1,6 +1,9 @@
 #include "shoreline/engine/results_writer.hpp"
 
 #include <algorithm>
+#include <cassert>
+#include <functional>
+#include <span>
 #include <system_error>
 
 #include "atomic_file.hpp"
@@ -44,7 +47,7 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 void remove_old(const std::filesystem::path& folder) {
-  for (const char* name : {"summary.json", "results.xdmf", "deformed.png", "field.png"}) {
+  for (const char* name : {"summary.json", "results.xdmf", "deformed.png", "field.png", "history.png"}) {
     std::error_code problem;
     std::filesystem::remove(folder / name, problem);
     if (problem) throw OutputError((folder / name).string() + ": cannot remove: " + problem.message());
@@ -66,6 +69,7 @@ void write_points(Hdf5File& file, const SavedStep& step) {
   file.write_rows(points + "strain", step.strain, "1");
   file.set_attribute(points + "strain", "components", "xx yy xy (engineering)");
   file.write_numbers(points + "volume", step.volume, "m^2");
+  if (step.velocity) file.write_rows(points + "velocity", in_space(*step.velocity), "m/s");
   write_cells(file, vertices_table(step.volume.size()), step.volume.size(), false);
 }
 
@@ -77,22 +81,57 @@ void write_curve(Hdf5File& file, const std::string& group, const SavedStep::Curv
   write_cells(file, line_table(curve.polyline.cols()), curve.polyline.cols(), true);
 }
 
-void append_state(Hdf5File& file, const Probe& probe, const ProbeState& state) {
+std::span<const double> numbers(const double& number) { return {&number, 1}; }
+
+template <int n>
+std::span<const double> numbers(const Eigen::Matrix<double, n, 1>& vector) {
+  return {vector.data(), static_cast<std::size_t>(n)};
+}
+
+template <class Vector>
+std::span<const double> numbers(const std::optional<Vector>& vector) {
+  return vector ? numbers(*vector) : std::span<const double>();
+}
+
+/// Appends one row a state, what @p of gives of it; nothing where that is missing.
+template <class State, class Of>
+void append_each(Hdf5File& file, const std::string& path, const std::string& unit, std::span<const State> states,
+                 Of of) {
+  const std::size_t width = numbers(std::invoke(of, states.front())).size();
+  if (width == 0) return;
+  Eigen::MatrixXd columns(static_cast<Eigen::Index>(width), static_cast<Eigen::Index>(states.size()));
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const auto& value = std::invoke(of, states[k]);
+    assert(numbers(value).size() == width);
+    std::ranges::copy(numbers(value), columns.col(static_cast<Eigen::Index>(k)).begin());
+  }
+  file.append_rows(path, columns, unit);
+}
+
+/// @param states  of the probe that are new, at least one
+void append_states(Hdf5File& file, const Probe& probe, std::span<const ProbeState> states,
+                   const std::string& unit_of_time) {
   const std::string group = "/probes/" + link_name(probe.name);
   if (!file.contains("/probes") || !file.contains(group)) {
     file.make_group(group);
     file.set_attribute(group, "name", probe.name);
     file.set_attribute(group, "on", probe.piece ? "tracking point" : "material point");
   }
-  file.append_row(group + "/t", Eigen::VectorXd::Constant(1, state.t), "1");
-  file.append_row(group + "/position", state.position, "m");
-  file.append_row(group + "/displacement", state.displacement, "m");
-  if (state.stress) file.append_row(group + "/stress", *state.stress, "Pa");
+  append_each(file, group + "/t", unit_of_time, states, &ProbeState::t);
+  append_each(file, group + "/position", "m", states, &ProbeState::position);
+  append_each(file, group + "/displacement", "m", states, &ProbeState::displacement);
+  append_each(file, group + "/stress", "Pa", states, &ProbeState::stress);
+  append_each(file, group + "/velocity", "m/s", states, &ProbeState::velocity);
+  append_each(file, group + "/exact_displacement", "m", states, &ProbeState::exact_displacement);
+  append_each(file, group + "/exact_velocity", "m/s", states, &ProbeState::exact_velocity);
 }
+
+/// At least what @p rows more rows of @p width numbers take in arrays that grow, with new pages and HDF5's own records.
+std::uintmax_t bytes_of(std::size_t rows, std::size_t width) { return 65536 + rows * (width + 1) * sizeof(double); }
 
 /// At least what a step takes in the file, with HDF5's own records.
 std::uintmax_t bytes_of(const SavedStep& step) {
-  Eigen::Index numbers = 14 * step.volume.size() + step.volume.size();
+  Eigen::Index numbers = (step.velocity ? 18 : 15) * step.volume.size();
   for (const SavedStep::Curve& curve : step.curves) numbers += 3 * curve.points.cols() + 4 * curve.polyline.cols();
   const std::size_t records = 65536 + 8192 * step.curves.size();
   return static_cast<std::uintmax_t>(numbers) * sizeof(double) + records;
@@ -100,12 +139,14 @@ std::uintmax_t bytes_of(const SavedStep& step) {
 
 }  // namespace
 
-ResultsWriter::ResultsWriter(std::filesystem::path folder, const std::string& title, const Grid& grid)
-    : folder_(std::move(folder)) {
+ResultsWriter::ResultsWriter(std::filesystem::path folder, const std::string& title, const Grid& grid,
+                             const std::string& analysis)
+    : folder_(std::move(folder)), unit_of_time_(analysis == "explicit_dynamics" ? "s" : "1") {
   make_folder(folder_);
   remove_old(folder_);
   Hdf5File file(folder_ / "results.h5", Hdf5File::Mode::create);
   file.set_attribute("/", "title", title);
+  file.set_attribute("/", "analysis", analysis);
   file.make_group("/steps");
   file.make_group("/connectivity");
   if (grid.cells() / grid.parts() <= most_drawn_cells) file.write_rows("/grid/edges", edges(grid), "m");
@@ -149,13 +190,31 @@ void ResultsWriter::write(const SampledField& field) {
 }
 
 void ResultsWriter::append(const std::vector<Probe>& probes) {
-  if (probes.empty()) return;
-  constexpr std::size_t most_a_probe = 65536;  // bytes, with new pages of its four histories
-  reserve(folder_ / "results.h5", probes.size() * most_a_probe);
+  const std::size_t states = probes.empty() ? 0 : probes.front().history.size();
+  if (recorded_ == states) return;
+  constexpr std::size_t numbers_a_state = 15;
+  reserve(folder_ / "results.h5", probes.size() * bytes_of(states - recorded_, numbers_a_state));
   Hdf5File file(folder_ / "results.h5", Hdf5File::Mode::append);
-  for (; recorded_ < probes.front().history.size(); ++recorded_)
-    for (const Probe& probe : probes) append_state(file, probe, probe.history[recorded_]);
+  for (const Probe& probe : probes)
+    append_states(file, probe, std::span(probe.history).subspan(recorded_), unit_of_time_);
   file.close();
+  recorded_ = states;
+}
+
+void ResultsWriter::append(const std::vector<HistoryState>& history) {
+  const auto states = std::span(history).subspan(energies_);
+  if (states.empty()) return;
+  constexpr std::size_t numbers_a_state = 7;
+  reserve(folder_ / "results.h5", bytes_of(states.size(), numbers_a_state));
+  Hdf5File file(folder_ / "results.h5", Hdf5File::Mode::append);
+  append_each(file, "/history/t", unit_of_time_, states, &HistoryState::t);
+  append_each(file, "/history/kinetic", "J/m", states, &HistoryState::kinetic);
+  append_each(file, "/history/strain", "J/m", states, &HistoryState::strain);
+  append_each(file, "/history/gravity", "J/m", states, &HistoryState::gravity);
+  append_each(file, "/history/total", "J/m", states, &HistoryState::total);
+  append_each(file, "/history/momentum", "N s/m", states, &HistoryState::momentum);
+  file.close();
+  energies_ = history.size();
 }
 
 void ResultsWriter::write_index() {

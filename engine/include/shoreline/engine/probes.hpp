@@ -12,12 +12,15 @@ namespace shoreline {
 struct Case;
 struct Scene;
 
-/// One point of the body at the end of a load step.
+/// One point of the body at the end of a step.
 struct ProbeState {
   double t;
-  Vec2 position;                 ///< [m]
-  Vec2 displacement;             ///< since the start [m]
-  std::optional<Stress> stress;  ///< [Pa]; of material points alone
+  Vec2 position;                             ///< [m]
+  Vec2 displacement;                         ///< since the start [m]
+  std::optional<Stress> stress;              ///< [Pa]; of material points alone
+  std::optional<Vec2> velocity{};            ///< [m/s]; dynamics alone
+  std::optional<Vec2> exact_displacement{};  ///< [m]; dynamics with an exact solution alone
+  std::optional<Vec2> exact_velocity{};      ///< [m/s]; dynamics with an exact solution alone
 };
 
 /// A point that is followed, and where it has been.
@@ -25,7 +28,7 @@ struct Probe {
   std::string name;
   std::optional<std::size_t> piece;  ///< whose tracking point it is; none: a material point
   std::size_t point;                 ///< number of the material point, or of the tracking point on its piece
-  std::vector<ProbeState> history;   ///< from the start on, one a load step
+  std::vector<ProbeState> history;   ///< from the start on, one a step; all hold the same fields
 };
 
 /// The probes of a case at the start: each the nearest of all material points and tracking points.

@@ -28,6 +28,17 @@ struct SavedStep {
     Eigen::Matrix2Xd polyline;  ///< (2, m) the spline, sampled for drawing [m]
   };
   std::vector<Curve> curves;
+  std::optional<Eigen::Matrix2Xd> velocity{};  ///< (2, points) [m/s]; dynamics alone
+};
+
+/// Energies and momentum of the body at one time, per metre of thickness; dynamics alone.
+struct HistoryState {
+  double t = 0.0;                ///< [s]
+  double kinetic = 0.0;          ///< [J/m]
+  double strain = 0.0;           ///< [J/m]
+  double gravity = 0.0;          ///< potential energy of the body force [J/m]
+  Vec2 momentum = Vec2::Zero();  ///< [N s/m]
+  [[nodiscard]] double total() const { return kinetic + strain + gravity; }
 };
 
 /// A field over the cells, sampled for drawing: triangles with values at their corners.
@@ -59,12 +70,21 @@ struct ErrorNorms {
     double mean_absolute = 0.0;
     double max_absolute = 0.0;
   };
+  /// Errors over the steps of a dynamic run, of n points at m times.
+  struct OverTime {
+    std::string of;         ///< "displacement" [m], "velocity" [m/s] or "stress" [Pa]
+    double rms = 0.0;       ///< root of the mean over points and times of |h − a|²: de Koster et al. 2020, (47)
+    double mean_rms = 0.0;  ///< mean over the times of the root of the volume-weighted mean over points of |h − a|²
+  };
   std::optional<double> displacement_l2_relative;
+  double displacement_l2 = 0.0;           ///< (Σ V |h − a|²)^½ [m²]
   std::array<Component, 2> displacement;  ///< u, v [m]
   std::optional<double> stress_l2_relative;
+  double stress_l2 = 0.0;                                  ///< (Σ V |h − a|²)^½ [Pa m]
   std::array<Component, 3> stress;                         ///< xx, yy, xy [Pa]
   std::map<std::string, double> boundary_l2_displacement;  ///< per essential piece [m^1.5]
   std::map<std::string, RadiusError> boundary_radius;      ///< per arc of a thick cylinder
+  std::vector<OverTime> over_time;                         ///< dynamics alone
 };
 
 /// Everything in summary.json.
@@ -85,6 +105,24 @@ struct Summary {
     double seconds = 0.0;
   };
   std::vector<Effect> effects;
+  /// How a dynamic run went in time.
+  struct Dynamics {
+    std::string law;                      ///< of the material
+    bool objective = true;                ///< whether the law does not see rotations
+    std::string mass;                     ///< form of the mass matrix
+    double pic = 0.0;                     ///< share of PIC in the transfer to the points, 0 to 1; the rest is FLIP
+    double damping = 0.0;                 ///< local, 0 to 1
+    double end_time = 0.0;                ///< [s]
+    double smallest_step = 0.0;           ///< [s]
+    double largest_step = 0.0;            ///< [s]
+    double critical_step_at_start = 0.0;  ///< [s]
+    double smallest_critical_step = 0.0;  ///< [s]
+    double time_of_smallest = 0.0;        ///< when the critical step was smallest [s]
+    double courant = 0.0;                 ///< largest ratio of a step to the critical step then
+    Index dropped_points = 0;             ///< material points that left the grid
+  };
+  std::optional<Dynamics> dynamics;
+  std::vector<HistoryState> history;  ///< from the start on; dynamics alone
   std::optional<ErrorNorms> errors;
   std::optional<ProjectionErrors> projection_errors;
   std::vector<std::pair<std::string, double>> timings;  ///< [s], in the order in which the phases first ran
