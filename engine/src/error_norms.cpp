@@ -21,11 +21,17 @@ Eigen::VectorXd sampled_radii(const SplineCurve& curve) {
   return radii;
 }
 
-/// Norms of one field: computed and exact values, one column a point.
+struct L2 {
+  double absolute = 0.0;
+  std::optional<double> relative;
+};
+
+/// Norms of one field by component: the size of the errors and exact values, one column a point.
 template <std::size_t Components>
-void field_norms(const Eigen::MatrixXd& computed, const Eigen::MatrixXd& exact, const Eigen::VectorXd& volume,
-                 std::array<ErrorNorms::Component, Components>& components, std::optional<double>& l2_relative) {
-  const Eigen::MatrixXd difference = (computed - exact).cwiseAbs();
+std::array<ErrorNorms::Component, Components> component_norms(const Eigen::MatrixXd& difference,
+                                                              const Eigen::MatrixXd& exact,
+                                                              const Eigen::VectorXd& volume) {
+  std::array<ErrorNorms::Component, Components> components;
   const double largest = exact.cwiseAbs().maxCoeff();
   for (std::size_t c = 0; c < Components; ++c) {
     const auto row = static_cast<Eigen::Index>(c);
@@ -36,8 +42,14 @@ void field_norms(const Eigen::MatrixXd& computed, const Eigen::MatrixXd& exact, 
     if (size.minCoeff() > vanishing * largest)
       components[c].mean_relative = error.cwiseQuotient(size).dot(volume) / volume.sum();
   }
+  return components;
+}
+
+/// Likewise of the whole vector.
+L2 l2_norms(const Eigen::MatrixXd& difference, const Eigen::MatrixXd& exact, const Eigen::VectorXd& volume) {
+  const double error = difference.colwise().squaredNorm().dot(volume);
   const double norm = exact.colwise().squaredNorm().dot(volume);
-  if (norm > 0.0) l2_relative = std::sqrt(difference.colwise().squaredNorm().dot(volume) / norm);
+  return {std::sqrt(error), norm > 0.0 ? std::optional(std::sqrt(error / norm)) : std::nullopt};
 }
 
 }  // namespace
@@ -51,8 +63,16 @@ ErrorNorms error_norms(const MaterialPoints& points, const ExactSolution& exact,
     stress.col(p) = exact.stress(origin, t);
   }
   ErrorNorms norms;
-  field_norms(points.displacement, displacement, points.volume, norms.displacement, norms.displacement_l2_relative);
-  field_norms(points.stress.topRows<3>(), stress, points.volume, norms.stress, norms.stress_l2_relative);
+  const Eigen::MatrixXd of_displacement = (points.displacement - displacement).cwiseAbs();
+  const L2 l2_of_displacement = l2_norms(of_displacement, displacement, points.volume);
+  norms.displacement = component_norms<2>(of_displacement, displacement, points.volume);
+  norms.displacement_l2 = l2_of_displacement.absolute;
+  norms.displacement_l2_relative = l2_of_displacement.relative;
+  const Eigen::MatrixXd of_stress = (points.stress.topRows<3>() - stress).cwiseAbs();
+  const L2 l2_of_stress = l2_norms(of_stress, stress, points.volume);
+  norms.stress = component_norms<3>(of_stress, stress, points.volume);
+  norms.stress_l2 = l2_of_stress.absolute;
+  norms.stress_l2_relative = l2_of_stress.relative;
   return norms;
 }
 

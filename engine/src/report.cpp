@@ -20,8 +20,14 @@ std::string errors_of(const ErrorNorms& errors) {
   text += row("displacement u [m]", errors.displacement[0]) + row("displacement v [m]", errors.displacement[1]);
   text += row("stress xx [Pa]", errors.stress[0]) + row("stress yy [Pa]", errors.stress[1]) +
           row("stress xy [Pa]", errors.stress[2]);
-  text += fmt::format("  relative L2: displacement {}, stress {}\n", number(errors.displacement_l2_relative),
-                      number(errors.stress_l2_relative));
+  text += fmt::format("  relative L2: displacement {}, stress {}; absolute {:.3e} m^2, {:.3e} Pa m\n",
+                      number(errors.displacement_l2_relative), number(errors.stress_l2_relative),
+                      errors.displacement_l2, errors.stress_l2);
+  for (const ErrorNorms::OverTime& error : errors.over_time) {
+    const char* unit = error.of == "displacement" ? "m" : error.of == "velocity" ? "m/s" : "Pa";
+    text += fmt::format("  over time, {} [{}]: rms {:.3e}, mean of rms {:.3e}\n", error.of, unit, error.rms,
+                        error.mean_rms);
+  }
   for (const auto& [piece, error] : errors.boundary_l2_displacement)
     text += fmt::format("  L2 of displacement on {}: {:.3e} m^1.5\n", piece, error);
   for (const auto& [piece, radius] : errors.boundary_radius)
@@ -57,6 +63,33 @@ std::string probes_of(const Summary& summary) {
   return summary.probes.empty() ? "" : text;
 }
 
+std::string dynamics_of(const Summary::Dynamics& d) {
+  const auto line = [](const char* name, const std::string& value) { return fmt::format("  {:<20}{}\n", name, value); };
+  std::string text = "\ndynamics\n" + line("law", d.law + (d.objective ? "" : ", not objective"));
+  text += line("mass", d.mass);
+  text += line("transfer", fmt::format("{:.6g} PIC, {:.6g} FLIP", d.pic, 1.0 - d.pic));
+  if (d.damping > 0.0) text += line("damping", fmt::format("{:.6g}", d.damping));
+  text += line("time step [s]",
+               fmt::format("{:.4g} to {:.4g}, until t = {:.6g}", d.smallest_step, d.largest_step, d.end_time));
+  text +=
+      line("critical step [s]", fmt::format("{:.4g} at the start, smallest {:.4g} at t = {:.6g}",
+                                            d.critical_step_at_start, d.smallest_critical_step, d.time_of_smallest));
+  text += line("Courant number", fmt::format("{:.4g}", d.courant));
+  return text + (d.dropped_points > 0 ? line("dropped points", fmt::format("{}", d.dropped_points)) : "");
+}
+
+std::string energies_of(const std::vector<HistoryState>& history) {
+  std::string text =
+      fmt::format("\n{:<22}{:>14}{:>14}{:>14}{:>14}\n", "energies [J/m]", "kinetic", "strain", "gravity", "total");
+  const auto row = [&text](const char* name, const HistoryState& s) {
+    text +=
+        fmt::format("  {:<20}{:>14.6g}{:>14.6g}{:>14.6g}{:>14.6g}\n", name, s.kinetic, s.strain, s.gravity, s.total());
+  };
+  row("start", history.front());
+  row("end", history.back());
+  return text;
+}
+
 std::string timings_of(const Summary& summary) {
   std::string text = fmt::format("{:<22}{:>14}\n", "time", "seconds");
   for (const auto& [phase, seconds] : summary.timings) text += fmt::format("  {:<20}{:>14.4f}\n", phase, seconds);
@@ -67,10 +100,13 @@ std::string timings_of(const Summary& summary) {
 
 std::string report(const Summary& summary, const std::filesystem::path& output) {
   const auto plural = [](long n, const char* one) { return fmt::format("{} {}{}", n, one, n == 1 ? "" : "s"); };
+  const char* step = summary.dynamics ? "step" : "load step";
   std::string text = fmt::format("{}: {}, {}{}, {}, {}\n", summary.title, summary.completed ? "completed" : "failed",
-                                 summary.steps > 0 ? plural(summary.steps, "load step") + ", " : "",
+                                 summary.steps > 0 ? plural(summary.steps, step) + ", " : "",
                                  plural(summary.material_points, "material point"),
                                  plural(summary.degrees_of_freedom, "unknown"), plural(summary.threads, "thread"));
+  if (summary.dynamics) text += dynamics_of(*summary.dynamics);
+  if (!summary.history.empty()) text += energies_of(summary.history);
   if (summary.errors) text += "\n" + errors_of(*summary.errors);
   if (summary.projection_errors) text += "\n" + errors_of(*summary.projection_errors);
   text += fits_of(summary) + probes_of(summary) + "\n" + timings_of(summary);

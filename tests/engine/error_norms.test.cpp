@@ -44,6 +44,16 @@ TEST_CASE("L2 norms are those of the vectors (u, v) and (xx, yy, xy)", "[engine]
              WithinRel(std::sqrt((1.0 * 4.0 + 3.0 * (4.0 + 4.0)) / (4.0 * (100.0 + 25.0 + 4.0))), 1e-14));
 }
 
+TEST_CASE("an absolute L2 norm is the relative one times that of the exact solution, and stays where that vanishes",
+          "[engine][error_norms]") {
+  const ErrorNorms norms = error_norms(two_points(), uniform(Vec2(4.0, 2.0), Vec3(20.0, 10.0, 4.0)), 0.5);
+  CHECK_THAT(norms.displacement_l2, WithinRel(*norms.displacement_l2_relative * std::sqrt(4.0 * 5.0), 1e-14));
+  CHECK_THAT(norms.stress_l2, WithinRel(*norms.stress_l2_relative * std::sqrt(4.0 * (100.0 + 25.0 + 4.0)), 1e-14));
+  const ErrorNorms of_zero = error_norms(two_points(), uniform(Vec2::Zero(), Vec3::Zero()), 0.5);
+  CHECK_THAT(of_zero.displacement_l2, WithinRel(std::sqrt(1.0 * 5.0 + 3.0 * 7.25), 1e-14));
+  CHECK_THAT(of_zero.stress_l2, WithinRel(std::sqrt(1.0 * 125.0 + 3.0 * (144.0 + 25.0 + 16.0)), 1e-14));
+}
+
 TEST_CASE("no relative error is formed where the exact value vanishes", "[engine][error_norms]") {
   const ErrorNorms norms = error_norms(two_points(), uniform(Vec2(4.0, 0.0), Vec3::Zero()), 1.0);
   CHECK(norms.displacement[0].mean_relative);

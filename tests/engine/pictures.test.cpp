@@ -2,8 +2,11 @@
 
 #include <stdlib.h>
 
+#include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <fstream>
+#include <numbers>
 
 #include "output_folder.hpp"
 #include "shoreline/bases/quadrilateral_grid.hpp"
@@ -15,9 +18,12 @@ using test::OutputFolder;
 
 namespace {
 
+ResultsWriter results_in(const std::filesystem::path& folder, const std::string& analysis) {
+  return {folder, "A square with $ and ß", QuadrilateralGrid(Vec2(-0.5, -0.5), Vec2(0.5, 0.5), {4, 4}), analysis};
+}
+
 /// A square of n² points compressed by @p strain, and its outline.
-void write_square(const std::filesystem::path& folder, int n, double strain) {
-  ResultsWriter writer(folder, "A square with $ and ß", QuadrilateralGrid(Vec2(-0.5, -0.5), Vec2(0.5, 0.5), {4, 4}));
+void write_square(ResultsWriter& writer, int n, double strain) {
   for (const double t : {0.0, 1.0}) {
     SavedStep step{.step = static_cast<int>(t),
                    .t = t,
@@ -35,6 +41,44 @@ void write_square(const std::filesystem::path& folder, int n, double strain) {
     step.curves[0].points = step.curves[0].polyline.leftCols<4>();
     writer.write(step);
   }
+}
+
+/// A damped oscillation of 1 mm and 20 ms, its velocity and its exact course, which has no damping.
+std::vector<ProbeState> oscillation(bool stressed) {
+  std::vector<ProbeState> states;
+  const double omega = 2.0 * std::numbers::pi / 0.02, decay = 10.0;
+  for (double t = 0.0; t <= 0.1; t += 1e-4) {
+    const double u = 1e-3 * std::exp(-decay * t) * std::sin(omega * t);
+    const double v = 1e-3 * std::exp(-decay * t) * omega * std::cos(omega * t) - decay * u;
+    ProbeState state{.t = t, .position = Vec2(1, 1 + u), .displacement = Vec2(0.1 * u, u), .stress = {}};
+    state.velocity = Vec2(0.1 * v, v);
+    state.exact_displacement = Vec2(0, 1e-3 * std::sin(omega * t));
+    state.exact_velocity = Vec2(0, 1e-3 * omega * std::cos(omega * t));
+    if (stressed) state.stress = Stress(1e6 * u, 1e9 * u, 0, 3e8 * u);
+    states.push_back(state);
+  }
+  return states;
+}
+
+std::vector<HistoryState> energies() {
+  std::vector<HistoryState> history;
+  for (const ProbeState& s : oscillation(false)) {
+    const double u = s.displacement.y();
+    history.push_back({.t = s.t,
+                       .kinetic = 500.0 * s.velocity->y() * s.velocity->y(),
+                       .strain = 5e7 * u * u,
+                       .gravity = 2e4 * (1.0 + u)});
+  }
+  return history;
+}
+
+/// Height of a PNG picture, from its header.
+int height_of(const std::filesystem::path& picture) {
+  std::ifstream stream(picture, std::ios::binary);
+  std::array<unsigned char, 24> head{};
+  stream.read(reinterpret_cast<char*>(head.data()), head.size());
+  REQUIRE(stream);
+  return (head[20] << 24) | (head[21] << 16) | (head[22] << 8) | head[23];
 }
 
 /// SHORELINE_PYTHON and PATH for the time of a test.
@@ -63,12 +107,54 @@ TEST_CASE("a run gives a PNG picture, whatever the number of points, the motion 
   CAPTURE(n, strain);
   const OutputFolder folder;
   const std::filesystem::path odd = folder.path / "it's $HOME `x` ß";
-  write_square(odd, n, strain);
+  {
+    ResultsWriter writer = results_in(odd, "quasi_static");
+    write_square(writer, n, strain);
+  }
   REQUIRE(make_pictures(odd).value_or("") == "");
   std::string start(8, ' ');
   std::ifstream(odd / "deformed.png", std::ios::binary).read(start.data(), 8);
   CHECK(start == "\x89PNG\r\n\x1a\n");
   CHECK(std::filesystem::file_size(odd / "deformed.png") > 20000);
+}
+
+TEST_CASE("the energies of a dynamic run are one panel over time; displacements, velocities and stresses one each",
+          "[engine][pictures]") {
+  const OutputFolder folder;
+  std::vector<int> heights;
+  const std::vector<std::vector<Probe>> probes_of_runs{
+      {},
+      {{"tip $", 1, 2, oscillation(false)}},
+      {{"tip $", 1, 2, oscillation(false)}, {"in", {}, 0, oscillation(true)}}};
+  for (const std::vector<Probe>& probes : probes_of_runs) {
+    ResultsWriter writer = results_in(folder.path, "explicit_dynamics");
+    write_square(writer, 8, -0.1);
+    writer.append(energies());
+    writer.append(probes);
+    REQUIRE(make_pictures(folder.path).value_or("") == "");
+    CHECK(std::filesystem::file_size(folder.path / "deformed.png") > 20000);
+    heights.push_back(height_of(folder.path / "history.png"));
+  }
+  const int panel = heights[2] - heights[1];
+  CHECK(panel > 200);
+  CHECK(std::abs(heights[1] - heights[0] - 2 * panel) <= 2);
+}
+
+TEST_CASE("a history is drawn of dynamics alone, and only where there is one", "[engine][pictures]") {
+  const OutputFolder folder;
+  {
+    ResultsWriter writer = results_in(folder.path, "quasi_static");
+    write_square(writer, 2, -0.1);
+    writer.append(std::vector<Probe>{{"tip", 1, 2, oscillation(false)}});
+  }
+  REQUIRE(make_pictures(folder.path).value_or("") == "");
+  CHECK_FALSE(std::filesystem::exists(folder.path / "history.png"));
+  {
+    ResultsWriter writer = results_in(folder.path, "explicit_dynamics");
+    write_square(writer, 2, -0.1);
+  }
+  REQUIRE(make_pictures(folder.path).value_or("") == "");
+  CHECK_FALSE(std::filesystem::exists(folder.path / "history.png"));
 }
 
 TEST_CASE("a projected field gives a PNG picture, with or without its error", "[engine][pictures]") {

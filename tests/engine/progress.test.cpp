@@ -13,14 +13,17 @@ using Catch::Matchers::EndsWith;
 
 namespace {
 
-/// What a progress of two steps prints when stderr is @p descriptor, read from @p reading_end up to a mark written
-/// behind it: a terminal hands over what is written in portions, at its own time.
-std::string printed(int descriptor, int reading_end, bool quiet) {
+/// What a progress of two steps, or 2.5 s, prints when stderr is @p descriptor, read from @p reading_end up to a mark
+/// written behind it: a terminal hands over what is written in portions, at its own time.
+std::string printed(int descriptor, int reading_end, bool quiet, bool by_time = false) {
   const int kept = dup(STDERR_FILENO);
   dup2(descriptor, STDERR_FILENO);
   {
     Progress progress(quiet);
-    progress.begin(1, 2);
+    if (by_time)
+      progress.reach(0.0, 2.5);
+    else
+      progress.begin(1, 2);
   }
   fflush(stderr);
   dup2(kept, STDERR_FILENO);
@@ -38,6 +41,14 @@ TEST_CASE("the time left is the mean of the steps behind times the steps to come
   CHECK(progress_line(2, 3, 30.0) == "load step 2 of 3, 1:00 left");
   CHECK(progress_line(11, 20, 10.0) == "load step 11 of 20, 0:10 left");
   CHECK(progress_line(2, 101, 37.0) == "load step 2 of 101, 1:01:40 left");
+  CHECK(progress_line(2, 3, 30.0, "step") == "step 2 of 3, 1:00 left");
+}
+
+TEST_CASE("by time, what is left goes with the time to come", "[engine][progress]") {
+  CHECK(progress_line(0.0, 2.5, 0.0) == "t = 0 of 2.5 s");
+  CHECK(progress_line(0.5, 2.5, 3.0) == "t = 0.5 of 2.5 s, 0:12 left");
+  CHECK(progress_line(0.3125, 3.125, 400.0) == "t = 0.312 of 3.125 s, 1:00:00 left");
+  CHECK(progress_line(2.5, 2.5, 3.0) == "t = 2.5 of 2.5 s, 0:00 left");
 }
 
 TEST_CASE("progress is shown on a terminal, erased at the end, and nowhere else", "[engine][progress]") {
@@ -50,6 +61,7 @@ TEST_CASE("progress is shown on a terminal, erased at the end, and nowhere else"
   CHECK(printed(screen, terminal, true).empty());
   const std::string shown = printed(screen, terminal, false);
   CHECK_THAT(shown, Contains("load step 1 of 2") && EndsWith("\r\033[K"));
+  CHECK_THAT(printed(screen, terminal, false, true), Contains("t = 0 of 2.5 s") && EndsWith("\r\033[K"));
   close(screen);
   close(terminal);
 

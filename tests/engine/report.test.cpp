@@ -35,6 +35,10 @@ TEST_CASE("a report has sizes, errors, cost, warnings and the folder", "[engine]
   CHECK_THAT(report(summary, "out/square"),
              Contains("stress yy [Pa]") && Contains("1.500e-04") && Contains("2.500e+00") && Contains("3.500e+00"));
 
+  summary.errors->displacement_l2 = 1.125e-6;
+  summary.errors->stress_l2 = 7.5;
+  CHECK_THAT(report(summary, "out"), Contains("absolute 1.125e-06 m^2, 7.500e+00 Pa m") && !Contains("over time"));
+
   summary.errors->boundary_radius["inner"] = {.mean = 2.0125, .exact = 2.0, .mean_relative = 6.25e-3};
   summary.displacement_fit["edge"] = {.l2 = 1.5e-5, .mean = 2.5e-5};
   summary.probes.push_back(
@@ -43,4 +47,42 @@ TEST_CASE("a report has sizes, errors, cost, warnings and the folder", "[engine]
                                                 Contains("edge") && Contains("1.500e-05") && Contains("2.500e-05 m") &&
                                                 Contains("tip") && Contains("3.25") &&
                                                 Contains("tracking point from (1, 2)"));
+}
+
+TEST_CASE("the report of a dynamic run speaks of steps, time steps and energies", "[engine][report]") {
+  Summary summary;
+  summary.title = "Bar";
+  summary.completed = true;
+  summary.steps = 250;
+  summary.dynamics.emplace();
+  summary.dynamics->law = "linear_elastic";
+  summary.dynamics->objective = false;
+  summary.dynamics->mass = "lumped";
+  summary.dynamics->pic = 0.25;
+  summary.dynamics->end_time = 2.5;
+  summary.dynamics->smallest_step = 0.0075;
+  summary.dynamics->largest_step = 0.0125;
+  summary.dynamics->critical_step_at_start = 0.015;
+  summary.dynamics->smallest_critical_step = 0.0135;
+  summary.dynamics->time_of_smallest = 1.75;
+  summary.dynamics->courant = 0.9;
+  summary.history = {{.t = 0.0, .kinetic = 11.5, .strain = 0.0, .gravity = 0.0},
+                     {.t = 2.5, .kinetic = 3.25, .strain = 4.5, .gravity = -0.125}};
+  summary.errors.emplace();
+  summary.errors->over_time = {{"velocity", 1.5e-3, 2.5e-3}};
+  CHECK_THAT(report(summary, "out"), Contains("Bar: completed, 250 steps, ") && !Contains("load step") &&
+                                         Contains("linear_elastic, not objective") && Contains("lumped") &&
+                                         Contains("0.25 PIC, 0.75 FLIP") &&
+                                         Contains("0.0075 to 0.0125, until t = 2.5") &&
+                                         Contains("0.015 at the start, smallest 0.0135 at t = 1.75") &&
+                                         Contains("0.9") && !Contains("damping") && !Contains("dropped"));
+  CHECK_THAT(report(summary, "out"), Contains("11.5") && Contains("3.25") && Contains("4.5") && Contains("-0.125") &&
+                                         Contains("7.625") &&
+                                         Contains("over time, velocity [m/s]: rms 1.500e-03, mean of rms 2.500e-03"));
+
+  summary.dynamics->damping = 0.05;
+  summary.dynamics->dropped_points = 3;
+  summary.dynamics->objective = true;
+  CHECK_THAT(report(summary, "out"),
+             Contains("damping             0.05") && Contains("dropped points      3") && !Contains("not objective"));
 }

@@ -13,6 +13,12 @@ TEST_CASE("a summary has not completed, and has no errors, until it says so", "[
   CHECK(summary.probes.empty());
   CHECK(summary.displacement_fit.empty());
   CHECK(summary.steps == 0);
+  CHECK_FALSE(summary.dynamics);
+  CHECK(summary.history.empty());
+}
+
+TEST_CASE("the total energy is the sum of its parts", "[engine][results]") {
+  CHECK(HistoryState{.t = 9.0, .kinetic = 1.0, .strain = 2.0, .gravity = -4.0}.total() == -1.0);
 }
 
 TEST_CASE("norms that were not formed are missing, not zero", "[engine][results]") {

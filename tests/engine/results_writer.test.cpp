@@ -245,13 +245,14 @@ TEST_CASE("results.xdmf knows every step once the writer is gone", "[engine][res
 
 TEST_CASE("a new run removes the results of the old one", "[engine][results]") {
   const OutputFolder folder;
-  for (const char* name : {"summary.json", "results.xdmf", "deformed.png", "field.png"})
+  for (const char* name : {"summary.json", "results.xdmf", "deformed.png", "field.png", "history.png"})
     std::ofstream(folder.path / name) << "old";
   ResultsWriter(folder.path, "old", grid).write(step(3));
   const ResultsWriter writer(folder.path, "new", grid);
   CHECK_FALSE(std::filesystem::exists(folder.path / "summary.json"));
   CHECK_FALSE(std::filesystem::exists(folder.path / "deformed.png"));
   CHECK_FALSE(std::filesystem::exists(folder.path / "field.png"));
+  CHECK_FALSE(std::filesystem::exists(folder.path / "history.png"));
   CHECK_FALSE(std::filesystem::exists(folder.path / "results.xdmf"));
   const hid_t file = H5Fopen((folder.path / "results.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   CHECK(H5Lexists(file, "steps/000003", H5P_DEFAULT) == 0);

@@ -65,20 +65,25 @@ TEST_CASE("errors and condition estimate appear only if they were computed", "[e
   errors.displacement[1] = {.mean_relative = 2e-3, .mean_absolute = 3e-3, .max_absolute = 4e-3};
   errors.stress[2] = {.mean_relative = std::nullopt, .mean_absolute = 5.0, .max_absolute = 6.0};
   errors.boundary_l2_displacement["left"] = 7e-3;
+  errors.displacement_l2 = 8e-3;
+  errors.stress_l2 = 9.0;
   summary.errors = errors;
   summary.condition_estimate = 1e6;
   const Json json = written(summary);
   CHECK(json["condition_estimate"] == 1e6);
   const Json& u = json["errors"]["displacement"];
   CHECK(u["l2_relative"] == 1e-3);
+  CHECK(u["l2"] == 8e-3);
   CHECK(u["mean_relative"] == Json({nullptr, 2e-3}));
   CHECK(u["mean_absolute"] == Json({0.0, 3e-3}));
   CHECK(u["max_absolute"] == Json({0.0, 4e-3}));
   const Json& stress = json["errors"]["stress"];
   CHECK(stress["l2_relative"].is_null());
+  CHECK(stress["l2"] == 9.0);
   CHECK(stress["mean_relative"] == Json({nullptr, nullptr, nullptr}));
   CHECK(stress["mean_absolute"] == Json({0.0, 0.0, 5.0}));
   CHECK(json["errors"]["boundary"]["left"].dump() == R"({"l2_displacement":0.007})");
+  CHECK_FALSE(json["errors"].contains("over_time"));
 }
 
 TEST_CASE("a radius stands beside the other errors of its piece", "[engine][summary]") {
@@ -91,6 +96,43 @@ TEST_CASE("a radius stands beside the other errors of its piece", "[engine][summ
             R"({"inner": {"l2_displacement": 0.008, "radius": {"mean": 2.5, "exact": 2.0, "mean_relative": 0.25}}})"));
 }
 
+TEST_CASE("the summary of a dynamic run has its steps in time, its balance and its errors over time",
+          "[engine][summary]") {
+  Summary summary;
+  for (const char* key : {"dynamics", "energy", "momentum"}) CHECK_FALSE(written(summary).contains(key));
+  summary.analysis = "explicit_dynamics";
+  summary.dynamics = Summary::Dynamics{.law = "neo_hookean",
+                                       .objective = false,
+                                       .mass = "lumped",
+                                       .pic = 0.01,
+                                       .damping = 0.02,
+                                       .end_time = 3.0,
+                                       .smallest_step = 4.0,
+                                       .largest_step = 5.0,
+                                       .critical_step_at_start = 6.0,
+                                       .smallest_critical_step = 7.0,
+                                       .time_of_smallest = 8.0,
+                                       .courant = 0.5,
+                                       .dropped_points = 9};
+  summary.history = {{.t = 0.0, .kinetic = 1.0, .strain = 2.0, .gravity = 3.0, .momentum = Vec2(4, 5)},
+                     {.t = 0.5, .kinetic = 10.0, .strain = 0.0, .gravity = 0.0, .momentum = Vec2(6, 7)},
+                     {.t = 0.7, .kinetic = 0.0, .strain = 0.0, .gravity = -2.0, .momentum = Vec2(6, 7)},
+                     {.t = 1.0, .kinetic = 2.0, .strain = 1.0, .gravity = 1.0, .momentum = Vec2(8, 9)}};
+  summary.errors.emplace();
+  summary.errors->over_time = {{"displacement", 1.5, 2.5}, {"velocity", 3.5, 4.5}, {"stress", 5.5, 6.5}};
+  const Json json = written(summary);
+  CHECK(json["dynamics"] == Json::parse(R"({"law": "neo_hookean", "objective": false, "mass": "lumped", "pic": 0.01,
+      "damping": 0.02, "end_time": 3.0, "smallest_step": 4.0, "largest_step": 5.0, "critical_step_at_start": 6.0,
+      "smallest_critical_step": 7.0, "time_of_smallest_critical_step": 8.0, "courant": 0.5, "dropped_points": 9})"));
+  CHECK(json["energy"] == Json::parse(R"({"start": {"kinetic": 1.0, "strain": 2.0, "gravity": 3.0, "total": 6.0},
+      "end": {"kinetic": 2.0, "strain": 1.0, "gravity": 1.0, "total": 4.0}, "largest_total": 10.0,
+      "smallest_total": -2.0})"));
+  CHECK(json["momentum"] == Json::parse(R"({"start": [4.0, 5.0], "end": [8.0, 9.0]})"));
+  CHECK(json["errors"]["over_time"] == Json::parse(R"({"displacement": {"rms": 1.5, "mean_rms": 2.5},
+      "velocity": {"rms": 3.5, "mean_rms": 4.5}, "stress": {"rms": 5.5, "mean_rms": 6.5}})"));
+  for (const char* key : {"reactions", "loads", "extended_share"}) CHECK(json.contains(key));
+}
+
 TEST_CASE("probes and fits of prescribed displacements appear only where there are any", "[engine][summary]") {
   Summary summary;
   CHECK_FALSE(written(summary).contains("probes"));
@@ -100,6 +142,7 @@ TEST_CASE("probes and fits of prescribed displacements appear only where there a
   ProbeState end{.t = 1.0, .position = Vec2(4, 6), .displacement = Vec2(3, 4), .stress = Stress(5, 6, 7, 8)};
   summary.probes.push_back({"inside", std::nullopt, 9, {start, end}});
   end.stress.reset();
+  end.velocity = Vec2(9, 10);
   summary.probes.push_back({"tip", 2, 9, {start, end}});
   summary.displacement_fit["edge"] = {.l2 = 1e-3, .mean = 2e-3};
   const Json json = written(summary);
@@ -107,7 +150,7 @@ TEST_CASE("probes and fits of prescribed displacements appear only where there a
   CHECK(json["probes"]["inside"] == Json::parse(R"({"on": "material point", "at": [1.0, 2.0], "position": [4.0, 6.0],
                                                     "displacement": [3.0, 4.0], "stress": [5.0, 6.0, 7.0, 8.0]})"));
   CHECK(json["probes"]["tip"] == Json::parse(R"({"on": "tracking point", "at": [1.0, 2.0], "position": [4.0, 6.0],
-                                                 "displacement": [3.0, 4.0]})"));
+                                                 "displacement": [3.0, 4.0], "velocity": [9.0, 10.0]})"));
 }
 
 TEST_CASE("a number that is not finite and a text that is no UTF-8 still give valid JSON", "[engine][summary]") {

@@ -1,5 +1,5 @@
 """Draws results.h5: deformed.png, the body at its last saved step, coloured by a stress and by displacement; or field.png,
-a projected field and its error."""
+a projected field and its error. Of a dynamic run history.png, too, as picture_history.py says."""
 
 import os
 import sys
@@ -24,12 +24,17 @@ STRESS_NAMES = ["σ_xx", "σ_yy", "σ_xy", "σ_zz"]
 PREFIXES = {"": 1.0, "m": 1e-3, "µ": 1e-6, "n": 1e-9, "k": 1e3, "M": 1e6, "G": 1e9}
 
 
-def in_readable_unit(values, unit):
-    """Values and unit with the prefix that brings the largest magnitudes to 1..1000."""
+def readable_unit(values, unit):
+    """The unit with the prefix that brings the largest magnitudes to 1..1000, and how much of the plain one it is."""
     largest = np.percentile(np.abs(values), 99.5)
     fitting = [p for p, scale in PREFIXES.items() if 1 <= largest / scale < 1000]
     prefix = fitting[0] if fitting else ""
-    return values / PREFIXES[prefix], prefix + unit
+    return prefix + unit, PREFIXES[prefix]
+
+
+def in_readable_unit(values, unit):
+    readable, scale = readable_unit(values, unit)
+    return values / scale, readable
 
 
 def most_telling(stress):
@@ -71,6 +76,10 @@ def binned(origin, displacement, stress, volume, width):
     return *means, total
 
 
+def is_dynamic(file):
+    return file.attrs["analysis"] == "explicit_dynamics"
+
+
 class Body:
     """What is drawn: points of the last step, and curves at the start and then, all with exaggerated displacements."""
 
@@ -80,6 +89,8 @@ class Body:
             sys.exit("results.h5 holds no saved step")
         first, last = file["steps"][steps[0]], file["steps"][steps[-1]]
         self.caption = f"load step {last.attrs['step']}, t = {last.attrs['t']:.6g}"
+        if is_dynamic(file):
+            self.caption = f"step {last.attrs['step']}, t = {last.attrs['t']:.6g} s"
         self.edges = file["grid/edges"][:] if "grid/edges" in file else None
         self.read_points(last["points"])
         self.start = read_curves(first)
@@ -233,6 +244,8 @@ def picture(folder):
             draw_field(folder, title, file)
         else:
             draw_body(folder, title, Body(file))
+        if is_dynamic(file):
+            draw_history(folder, title, file)
 
 
 picture(sys.argv[1])

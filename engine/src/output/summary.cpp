@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "atomic_file.hpp"
@@ -15,8 +16,10 @@ using Json = nlohmann::ordered_json;  // writes numbers that are not finite as n
 Json number_or_null(const std::optional<double>& number) { return number ? Json(*number) : Json(nullptr); }
 
 template <std::size_t n>
-Json component_norms(const std::optional<double>& l2_relative, const std::array<ErrorNorms::Component, n>& components) {
-  Json norms = {{"l2_relative", number_or_null(l2_relative)},
+Json component_norms(double l2, const std::optional<double>& l2_relative,
+                     const std::array<ErrorNorms::Component, n>& components) {
+  Json norms = {{"l2", l2},
+                {"l2_relative", number_or_null(l2_relative)},
                 {"mean_relative", Json::array()},
                 {"mean_absolute", Json::array()},
                 {"max_absolute", Json::array()}};
@@ -34,9 +37,13 @@ Json error_norms(const ErrorNorms& errors) {
   for (const auto& [name, radius] : errors.boundary_radius)
     boundary[name]["radius"] = {
         {"mean", radius.mean}, {"exact", radius.exact}, {"mean_relative", radius.mean_relative}};
-  return {{"displacement", component_norms(errors.displacement_l2_relative, errors.displacement)},
-          {"stress", component_norms(errors.stress_l2_relative, errors.stress)},
-          {"boundary", boundary}};
+  Json json = {
+      {"displacement", component_norms(errors.displacement_l2, errors.displacement_l2_relative, errors.displacement)},
+      {"stress", component_norms(errors.stress_l2, errors.stress_l2_relative, errors.stress)},
+      {"boundary", boundary}};
+  for (const ErrorNorms::OverTime& error : errors.over_time)
+    json["over_time"][error.of] = {{"rms", error.rms}, {"mean_rms", error.mean_rms}};
+  return json;
 }
 
 Json projection_errors(const ProjectionErrors& errors) {
@@ -63,6 +70,7 @@ Json probe(const Probe& probe) {
                {"position", list(last.position)},
                {"displacement", list(last.displacement)}};
   if (last.stress) json["stress"] = list(*last.stress);
+  if (last.velocity) json["velocity"] = list(*last.velocity);
   return json;
 }
 
@@ -72,7 +80,37 @@ long long peak_memory_bytes() {
   return 1024LL * usage.ru_maxrss;
 }
 
-/// What load steps know of the boundary.
+Json dynamics(const Summary::Dynamics& d) {
+  return {{"law", d.law},
+          {"objective", d.objective},
+          {"mass", d.mass},
+          {"pic", d.pic},
+          {"damping", d.damping},
+          {"end_time", d.end_time},
+          {"smallest_step", d.smallest_step},
+          {"largest_step", d.largest_step},
+          {"critical_step_at_start", d.critical_step_at_start},
+          {"smallest_critical_step", d.smallest_critical_step},
+          {"time_of_smallest_critical_step", d.time_of_smallest},
+          {"courant", d.courant},
+          {"dropped_points", d.dropped_points}};
+}
+
+Json energies(const HistoryState& state) {
+  return {{"kinetic", state.kinetic}, {"strain", state.strain}, {"gravity", state.gravity}, {"total", state.total()}};
+}
+
+/// Energies and momentum at both ends of a history.
+void add_balance(const std::vector<HistoryState>& history, Json& json) {
+  const auto [least, most] = std::ranges::minmax(history, {}, &HistoryState::total);
+  json["energy"] = {{"start", energies(history.front())},
+                    {"end", energies(history.back())},
+                    {"largest_total", most.total()},
+                    {"smallest_total", least.total()}};
+  json["momentum"] = {{"start", list(history.front().momentum)}, {"end", list(history.back().momentum)}};
+}
+
+/// What steps know of the boundary.
 void add_loads(const Summary& summary, Json& json) {
   json["reactions"] = resultants(summary.reactions);
   json["loads"] = resultants(summary.loads);
@@ -108,7 +146,9 @@ void write_summary(const Summary& summary, const std::filesystem::path& folder) 
                {"version", version()}});
   if (summary.errors) json["errors"] = error_norms(*summary.errors);
   if (summary.projection_errors) json["errors"] = projection_errors(*summary.projection_errors);
-  if (summary.analysis == "quasi_static") add_loads(summary, json);
+  if (summary.analysis != "projection") add_loads(summary, json);
+  if (summary.dynamics) json["dynamics"] = dynamics(*summary.dynamics);
+  if (!summary.history.empty()) add_balance(summary.history, json);
   for (const Probe& p : summary.probes) json["probes"][p.name] = probe(p);
   add_costs(summary, json);
   if (summary.condition_estimate) json["condition_estimate"] = *summary.condition_estimate;

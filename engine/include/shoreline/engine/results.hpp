@@ -70,7 +70,7 @@ struct ErrorNorms {
     double mean_absolute = 0.0;
     double max_absolute = 0.0;
   };
-  /// Errors over the steps of a dynamic run, of n points at m times.
+  /// Errors over the steps of a dynamic run; h is computed, a exact.
   struct OverTime {
     std::string of;         ///< "displacement" [m], "velocity" [m/s] or "stress" [Pa]
     double rms = 0.0;       ///< root of the mean over points and times of |h − a|²: de Koster et al. 2020, (47)
