@@ -1,7 +1,5 @@
 #include "shoreline/bases/bilinear.hpp"
 
-#include <algorithm>
-
 namespace shoreline {
 
 ShortIndices BilinearBasis::functions_of(Index cell) const {
@@ -11,19 +9,37 @@ ShortIndices BilinearBasis::functions_of(Index cell) const {
   return nodes;
 }
 
-void BilinearBasis::evaluate(Index cell, std::span<const Vec2> x, double* value, double* gradient) const {
+template <class Point, class Number>
+void BilinearBasis::evaluate_all(Index cell, std::span<const Point> x, Number* value, Number* gradient) const {
   const Vec2 corner = grid_.corner(cell);
   const Vec2 inverse = grid_.spacing().cwiseInverse();
-  for (const Vec2& point : x) {
-    const double r = (point.x() - corner.x()) * inverse.x();
-    const double s = (point.y() - corner.y()) * inverse.y();
-    const double values[4] = {(1 - r) * (1 - s), r * (1 - s), (1 - r) * s, r * s};
-    const double gradients[8] = {-(1 - s) * inverse.x(), -(1 - r) * inverse.y(), (1 - s) * inverse.x(),
-                                 -r * inverse.y(),       -s * inverse.x(),       (1 - r) * inverse.y(),
-                                 s * inverse.x(),        r * inverse.y()};
-    value = std::copy_n(values, 4, value);
-    gradient = std::copy_n(gradients, 8, gradient);
+  for (const Point& point : x) {
+    const Number r = (point[0] - corner.x()) * inverse.x();
+    const Number s = (point[1] - corner.y()) * inverse.y();
+    const Number r1 = 1.0 - r;
+    const Number s1 = 1.0 - s;
+    *value++ = r1 * s1;
+    *value++ = r * s1;
+    *value++ = r1 * s;
+    *value++ = r * s;
+    if (gradient == nullptr) continue;
+    *gradient++ = -s1 * inverse.x();
+    *gradient++ = -r1 * inverse.y();
+    *gradient++ = s1 * inverse.x();
+    *gradient++ = -r * inverse.y();
+    *gradient++ = -s * inverse.x();
+    *gradient++ = r1 * inverse.y();
+    *gradient++ = s * inverse.x();
+    *gradient++ = r * inverse.y();
   }
+}
+
+void BilinearBasis::evaluate(Index cell, std::span<const Vec2> x, double* value, double* gradient) const {
+  evaluate_all(cell, x, value, gradient);
+}
+
+void BilinearBasis::evaluate(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const {
+  evaluate_all(cell, x, value, gradient);
 }
 
 ShortCurvatures BilinearBasis::curvatures(Index /*cell*/, const Vec2& /*x*/) const {

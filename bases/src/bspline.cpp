@@ -4,6 +4,7 @@
 #include <array>
 #include <string>
 
+#include "lanes.hpp"
 #include "shoreline/bases/error.hpp"
 
 namespace shoreline {
@@ -24,6 +25,31 @@ std::array<double, 3> taylor(const Row& c, double xi) {
     d[0] = d[0] * xi + c[k];
   }
   return d;
+}
+
+/// The P + 1 polynomials of a span and their derivatives by ξ.
+template <int P, class Number>
+struct Splines {
+  Number value[P + 1];
+  Number slope[P + 1];
+};
+
+/// Horner's scheme.
+/// @param c  coefficient (function, power of ξ)
+template <int P, class Number>
+Splines<P, Number> splines(const Eigen::Map<const Eigen::Matrix<double, P + 1, P + 1>>& c, const Number& xi) {
+  Splines<P, Number> at_xi;
+  for (int a = 0; a <= P; ++a) {
+    Number f = c(a, P) * xi + c(a, P - 1);
+    auto d = uniform<Number>(c(a, P));
+    for (int k = P - 2; k >= 0; --k) {
+      d = d * xi + f;
+      f = f * xi + c(a, k);
+    }
+    at_xi.value[a] = f;
+    at_xi.slope[a] = d;
+  }
+  return at_xi;
 }
 
 }  // namespace
@@ -81,36 +107,32 @@ Vec2 BSplineBasis::control_point(Index function) const {
                                                              greville(function / columns, grid_.rows())));
 }
 
-template <int P>
-void BSplineBasis::evaluate_degree(Index cell, std::span<const Vec2> x, double* value, double* gradient) const {
-  const SpanPolynomials& column = column_[at(cell % grid_.columns())];
-  const SpanPolynomials& row = row_[at(cell / grid_.columns())];
+template <int P, class Point, class Number>
+void BSplineBasis::evaluate_degree(Index cell, std::span<const Point> x, Number* value, Number* gradient) const {
+  using Coefficients = Eigen::Matrix<double, P + 1, P + 1>;
+  const Eigen::Map<const Coefficients> column(column_[at(cell % grid_.columns())].data());
+  const Eigen::Map<const Coefficients> row(row_[at(cell / grid_.columns())].data());
   const Vec2 corner = grid_.corner(cell);
   const Vec2 inverse = grid_.spacing().cwiseInverse();
-  using Values = Eigen::Matrix<double, P + 1, 1>;
-  const Eigen::Matrix<double, P + 1, P + 1> cx = column;
-  const Eigen::Matrix<double, P + 1, P + 1> cy = row;
-  for (const Vec2& point : x) {
-    const Vec2 local = (point - corner).cwiseProduct(inverse);
-    Values fx = cx.col(P), fy = cy.col(P), dx = Values::Zero(), dy = Values::Zero();
-    for (int k = P - 1; k >= 0; --k) {  // Horner's scheme for all functions of the span at once
-      dx = dx * local.x() + fx;
-      fx = fx * local.x() + cx.col(k);
-      dy = dy * local.y() + fy;
-      fy = fy * local.y() + cy.col(k);
-    }
-    dx *= inverse.x();
-    dy *= inverse.y();
+  for (const Point& point : x) {
+    const auto in_x = splines<P, Number>(column, (point[0] - corner.x()) * inverse.x());
+    const auto in_y = splines<P, Number>(row, (point[1] - corner.y()) * inverse.y());
     for (int b = 0; b <= P; ++b)
+      for (int a = 0; a <= P; ++a) *value++ = in_x.value[a] * in_y.value[b];
+    if (gradient == nullptr) continue;
+    for (int b = 0; b <= P; ++b) {
+      const Number fy = in_y.value[b] * inverse.x();
+      const Number dy = in_y.slope[b] * inverse.y();
       for (int a = 0; a <= P; ++a) {
-        *value++ = fx[a] * fy[b];
-        *gradient++ = dx[a] * fy[b];
-        *gradient++ = fx[a] * dy[b];
+        *gradient++ = in_x.slope[a] * fy;
+        *gradient++ = in_x.value[a] * dy;
       }
+    }
   }
 }
 
-void BSplineBasis::evaluate(Index cell, std::span<const Vec2> x, double* value, double* gradient) const {
+template <class Point, class Number>
+void BSplineBasis::evaluate_all(Index cell, std::span<const Point> x, Number* value, Number* gradient) const {
   switch (degree_) {
     case 1:
       return evaluate_degree<1>(cell, x, value, gradient);
@@ -119,6 +141,14 @@ void BSplineBasis::evaluate(Index cell, std::span<const Vec2> x, double* value, 
     default:
       return evaluate_degree<3>(cell, x, value, gradient);
   }
+}
+
+void BSplineBasis::evaluate(Index cell, std::span<const Vec2> x, double* value, double* gradient) const {
+  evaluate_all(cell, x, value, gradient);
+}
+
+void BSplineBasis::evaluate(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const {
+  evaluate_all(cell, x, value, gradient);
 }
 
 ShortCurvatures BSplineBasis::curvatures(Index cell, const Vec2& x) const {

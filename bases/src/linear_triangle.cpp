@@ -1,6 +1,6 @@
 #include "shoreline/bases/linear_triangle.hpp"
 
-#include <algorithm>
+#include "lanes.hpp"
 
 namespace shoreline {
 
@@ -12,18 +12,31 @@ Vec2 LinearTriangleBasis::control_point(Index function) const {
   return grid_.mesh().vertex[static_cast<std::size_t>(function)];
 }
 
-void LinearTriangleBasis::evaluate(Index cell, std::span<const Vec2> x, double* value, double* gradient) const {
+template <class Point, class Number>
+void LinearTriangleBasis::evaluate_all(Index cell, std::span<const Point> x, Number* value, Number* gradient) const {
   const auto [a, b, c] = corners(grid_.mesh(), cell);
   const double inverse = 1.0 / twice_area(a, b, c);
   const double gradients[6] = {inverse * (b.y() - c.y()), inverse * (c.x() - b.x()), inverse * (c.y() - a.y()),
                                inverse * (a.x() - c.x()), inverse * (a.y() - b.y()), inverse * (b.x() - a.x())};
-  for (const Vec2& point : x) {
-    const double r = gradients[2] * (point.x() - a.x()) + gradients[3] * (point.y() - a.y());
-    const double s = gradients[4] * (point.x() - a.x()) + gradients[5] * (point.y() - a.y());
-    const double values[3] = {1.0 - r - s, r, s};
-    value = std::copy_n(values, 3, value);
-    gradient = std::copy_n(gradients, 6, gradient);
+  for (const Point& point : x) {
+    const Number dx = point[0] - a.x();
+    const Number dy = point[1] - a.y();
+    const Number r = gradients[2] * dx + gradients[3] * dy;
+    const Number s = gradients[4] * dx + gradients[5] * dy;
+    *value++ = 1.0 - r - s;
+    *value++ = r;
+    *value++ = s;
+    if (gradient == nullptr) continue;
+    for (const double g : gradients) *gradient++ = uniform<Number>(g);
   }
+}
+
+void LinearTriangleBasis::evaluate(Index cell, std::span<const Vec2> x, double* value, double* gradient) const {
+  evaluate_all(cell, x, value, gradient);
+}
+
+void LinearTriangleBasis::evaluate(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const {
+  evaluate_all(cell, x, value, gradient);
 }
 
 ShortCurvatures LinearTriangleBasis::curvatures(Index /*cell*/, const Vec2& /*x*/) const {

@@ -1,6 +1,7 @@
 #include "shoreline/bases/powell_sabin.hpp"
 
 #include "control_triangles.hpp"
+#include "lanes.hpp"
 #include "shoreline/bases/powell_sabin_refinement.hpp"
 
 namespace shoreline {
@@ -8,10 +9,13 @@ namespace {
 
 std::size_t at(Index number) { return static_cast<std::size_t>(number); }
 
-/// Barycentric coordinates of x in a triangle: the three functions τ of (S.7).
+/// Barycentric coordinates of x in a triangle: the three functions τ of (S.7). Where x lies on a side one of them is
+/// zero, not rounding, so that functions vanish where they should.
 Eigen::Vector3d barycentric(const std::array<Vec2, 3>& q, const Vec2& x) {
+  constexpr double rounding = 1e-12;
   const Eigen::Vector3d twice(twice_area(x, q[1], q[2]), twice_area(q[0], x, q[2]), twice_area(q[0], q[1], x));
-  return twice / twice.sum();
+  const Eigen::Vector3d tau = (twice.array().abs() < rounding * twice.sum()).select(0.0, twice);
+  return tau / tau.sum();
 }
 
 TriangleMesh checked_refinement(const TriangleMesh& mesh) {
@@ -67,36 +71,54 @@ Vec2 PowellSabinBasis::control_point(Index function) const {
   return grid_.mesh().vertex[at(function / 3)] + control_[at(function / 3)][at(function % 3)];
 }
 
-void PowellSabinBasis::evaluate(Index cell, std::span<const Vec2> x, double* value, double* gradient) const {
+template <class Point, class Number>
+void PowellSabinBasis::evaluate_all(Index cell, std::span<const Point> x, Number* value, Number* gradient) const {
   const Piece& piece = piece_[at(cell)];
-  for (const Vec2& point : x) {
-    const Vec2 from_v = point - piece.origin;
-    const double r = piece.slope_r.dot(from_v);
-    const double s = piece.slope_z.dot(from_v);
-    const double v = 1.0 - r - s;
-    const double li = piece.lambda_i;
-    const double lj = piece.lambda_j;
+  const double li = piece.lambda_i;
+  const double lj = piece.lambda_j;
+  for (const Point& point : x) {
+    const Number dx = point[0] - piece.origin.x();
+    const Number dy = point[1] - piece.origin.y();
+    const Number r = piece.slope_r.x() * dx + piece.slope_r.y() * dy;
+    const Number s = piece.slope_z.x() * dx + piece.slope_z.y() * dy;
+    const Number v = 1.0 - r - s;
     // The six functions of (S.9) and their derivatives by r and s.
-    const double f[6] = {
+    const Number f[6] = {
         v * v, r * (2 * v + li * r), s * (2 * v + 2 * li * r + piece.a_i * s), r * r, s * (2 * lj * r + piece.a_j * s),
         s * s};
-    const double fr[6] = {-2 * v, 2 * (v - r + li * r), 2 * s * (li - 1), 2 * r, 2 * lj * s, 0.0};
-    const double fs[6] = {-2 * v, -2 * r, 2 * (v - s + li * r + piece.a_i * s), 0.0, 2 * (lj * r + piece.a_j * s),
-                          2 * s};
-    Vec2 g[6];
-    for (int c = 0; c < 6; ++c) g[c] = fr[c] * piece.slope_r + fs[c] * piece.slope_z;
     for (Eigen::Index q = 0; q < 3; ++q) {
       const auto o = piece.ordinate.row(q);
       value[q] = o[0] * f[0] + o[1] * f[1] + o[2] * f[2];
       value[3 + q] = o[3] * f[3] + o[4] * f[4];
       value[6 + q] = o[5] * f[5];
-      Eigen::Map<Vec2>(gradient + 2 * q) = o[0] * g[0] + o[1] * g[1] + o[2] * g[2];
-      Eigen::Map<Vec2>(gradient + 6 + 2 * q) = o[3] * g[3] + o[4] * g[4];
-      Eigen::Map<Vec2>(gradient + 12 + 2 * q) = o[5] * g[5];
     }
     value += 9;
+    if (gradient == nullptr) continue;
+    const Number fr[5] = {-2 * v, 2 * (v - r + li * r), 2 * (li - 1) * s, 2 * r, 2 * lj * s};
+    const Number fs[6] = {
+        -2 * v, -2 * r, 2 * (v - s + li * r + piece.a_i * s), uniform<Number>(0.0), 2 * (lj * r + piece.a_j * s),
+        2 * s};
+    for (Eigen::Index d = 0; d < 2; ++d) {
+      Number g[6];
+      for (int c = 0; c < 5; ++c) g[c] = fr[c] * piece.slope_r[d] + fs[c] * piece.slope_z[d];
+      g[5] = fs[5] * piece.slope_z[d];
+      for (Eigen::Index q = 0; q < 3; ++q) {
+        const auto o = piece.ordinate.row(q);
+        gradient[2 * q + d] = o[0] * g[0] + o[1] * g[1] + o[2] * g[2];
+        gradient[6 + 2 * q + d] = o[3] * g[3] + o[4] * g[4];
+        gradient[12 + 2 * q + d] = o[5] * g[5];
+      }
+    }
     gradient += 18;
   }
+}
+
+void PowellSabinBasis::evaluate(Index cell, std::span<const Vec2> x, double* value, double* gradient) const {
+  evaluate_all(cell, x, value, gradient);
+}
+
+void PowellSabinBasis::evaluate(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const {
+  evaluate_all(cell, x, value, gradient);
 }
 
 ShortCurvatures PowellSabinBasis::curvatures(Index cell, const Vec2& /*x*/) const {

@@ -42,6 +42,10 @@ std::optional<Index> QuadrilateralGrid::locate(const Vec2& x, Index /*hint*/) co
   return place[0] + place[1] * count_[0];
 }
 
+void QuadrilateralGrid::locate_all(std::span<const Vec2> x, Index hint, Index* cell) const {
+  for (const Vec2& place : x) *cell++ = locate(place, hint).value_or(-1);
+}
+
 Vec2 QuadrilateralGrid::corner(Index cell) const { return {line(0, cell % count_[0]), line(1, cell / count_[0])}; }
 
 Vec2 QuadrilateralGrid::node(Index number) const {

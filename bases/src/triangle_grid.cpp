@@ -151,8 +151,7 @@ void TriangleGrid::sort_into_bins() {
 }
 
 std::optional<Index> TriangleGrid::locate(const Vec2& x, Index hint) const {
-  const double clear = 1e-12 * size(hint) * size(hint);  // nearer to an edge the hint must not decide
-  if (holds(corners(mesh_, hint), x, clear)) return hint;
+  if (holds(corners(mesh_, hint), x, clear(hint))) return hint;
   const Vec2 place = (x - bins_.lower).cwiseQuotient(bins_.width);
   if (!(place.minCoeff() >= 0.0 && place.x() < bins_.count[0] && place.y() < bins_.count[1])) return std::nullopt;
   const auto bin = at(static_cast<Index>(place.x()) + static_cast<Index>(place.y()) * bins_.count[0]);
@@ -169,6 +168,12 @@ std::optional<Index> TriangleGrid::locate(const Vec2& x, Index hint) const {
       nearest = *cell;
     }
   return nearest;
+}
+
+void TriangleGrid::locate_all(std::span<const Vec2> x, Index hint, Index* cell) const {
+  const std::array<Vec2, 3> p = corners(mesh_, hint);
+  const double least = clear(hint);
+  for (const Vec2& place : x) *cell++ = holds(p, place, least) ? hint : locate(place, hint).value_or(-1);
 }
 
 std::vector<Vec2> TriangleGrid::polygon(Index cell) const {

@@ -88,7 +88,7 @@ int fail(Status status, const std::string& problem) {
 }
 
 int command_line(int argc, char** argv) {
-  CLI::App app{"Shoreline: an implicit material point method whose boundaries are cubic B-splines", "shoreline"};
+  CLI::App app{"Shoreline: a material point method whose boundaries are cubic B-splines", "shoreline"};
   app.set_version_flag("--version", shoreline::version_report());
   app.require_subcommand(1);
   Arguments arguments;

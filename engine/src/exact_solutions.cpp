@@ -1,5 +1,6 @@
 #include "shoreline/engine/exact_solutions.hpp"
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -53,6 +54,20 @@ void require_positive(double radius, const char* what) {
     throw InvalidArgument(std::string(what) + ": expected a radius > 0, got " + std::to_string(radius));
 }
 
+/// z²/2 − H z on [0, H], continued symmetrically about H and antisymmetrically about 0, and its derivative, (X.3).
+struct Reflected {
+  double value;
+  double slope;
+
+  Reflected(double z, double height) {
+    z -= 4.0 * height * std::floor(z / (4.0 * height));
+    const double sign = z < 2.0 * height ? 1.0 : -1.0;
+    if (sign < 0.0) z -= 2.0 * height;
+    value = sign * z * (0.5 * z - height);
+    slope = sign * (z - height);
+  }
+};
+
 }  // namespace
 
 ExactSolution exact_solution(const ThickCylinder& problem, const ElasticConstants& material,
@@ -82,6 +97,28 @@ ExactSolution exact_solution(const PlateWithHole& problem, const ElasticConstant
   return scaled(
       std::move(factor), [=](const Vec2& x) { return kirsch_displacement(problem, law, x); },
       [=](const Vec2& x) { return kirsch_stress(problem, x); });
+}
+
+ExactSolution exact_solution(const SelfWeightColumn& problem, const ElasticConstants& material) {
+  if (!(problem.height > 0.0))
+    throw InvalidArgument("self-weight column: expected a height > 0, got " + std::to_string(problem.height));
+  const double nu = material.poissons_ratio;
+  const double modulus = material.youngs_modulus * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu));
+  const double sideways = nu / (1.0 - nu);  // σ_xx/σ_yy
+  const double speed = std::sqrt(modulus / problem.density);
+  const double scale = problem.density * problem.gravity / modulus;
+  const auto waves = [=, h = problem.height](double y, double t) {
+    return std::array{Reflected(y, h), Reflected(y - speed * t, h), Reflected(y + speed * t, h)};
+  };
+  return {.displacement = [=](const Vec2& x, double t) -> Vec2 {
+            const auto [rest, up, down] = waves(x.y(), t);
+            return {0.0, scale * (rest.value - 0.5 * (up.value + down.value))};
+          },
+          .stress = [=](const Vec2& x, double t) -> Vec3 {
+            const auto [rest, up, down] = waves(x.y(), t);
+            const double stress = modulus * scale * (rest.slope - 0.5 * (up.slope + down.slope));
+            return {sideways * stress, stress, 0.0};
+          }};
 }
 
 }  // namespace shoreline

@@ -1,3 +1,5 @@
+#include "grid_constraints.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -5,7 +7,6 @@
 
 #include "constraint_rows.hpp"
 #include "shoreline/bases/error.hpp"
-#include "shoreline/engine/scene.hpp"
 
 namespace shoreline {
 namespace {
@@ -43,12 +44,19 @@ std::optional<CellEdge> edge_under(const Grid& grid, Index cell, std::span<const
 }
 
 /// Whether an edge parts two cells of one element.
-bool inside_element(const Grid& grid, Index cell, const CellEdge& edge) {
+bool inside_element(const Grid& grid, const HeldCellEdge& edge) {
   if (grid.parts() == 1) return false;
-  const std::vector<Face> faces = grid.faces(cell);
+  const std::vector<Face> faces = grid.faces(edge.cell);
   return std::ranges::any_of(faces, [&](const Face& face) {
-    return face.a == edge.a && face.b == edge.b && face.neighbour / grid.parts() == cell / grid.parts();
+    return face.a == edge.a && face.b == edge.b && face.neighbour / grid.parts() == edge.cell / grid.parts();
   });
+}
+
+/// Whether points lie beside the grid, where no edge is under them; by more than border_slack they are not traced.
+bool beyond(const Grid& grid, Index cell, std::span<const BoundaryPoint> points) {
+  const Vec2& x = points[points.size() / 2].x;
+  const Box box = grid.bounds();
+  return std::max((box.lower - x).maxCoeff(), (x - box.upper).maxCoeff()) > on_line * grid.size(cell);
 }
 
 /// What a piece asks for.
@@ -81,14 +89,14 @@ ConstraintRow row_of(const Constraint& c) {
 ///
 /// They are solved among themselves first. Were each solved after those of the edges before, rounding errors would grow
 /// from edge to edge, as they do in an extrapolation.
-void add_rows(const Basis& basis, Index cell, const CellEdge& edge, const Held& held, ConstraintRows& rows) {
+void add_rows(const Basis& basis, const HeldCellEdge& edge, const Held& held, ConstraintRows& rows) {
   const Vec2 along = (edge.b - edge.a).normalized();
   std::vector<Vec2> directions{Vec2::UnitX(), Vec2::UnitY()};
   if (held.normal_only) directions = {Vec2(-along.y(), along.x())};
   ConstraintRows here;
   for (int q = 0; q <= basis.degree(); ++q) {
     const Vec2 x = edge.a + static_cast<double>(q) / basis.degree() * (edge.b - edge.a);
-    const Support support = basis.support(cell, x);
+    const Support support = basis.support(edge.cell, x);
     for (const Vec2& n : directions) here.add(row_at(support, n, held));
   }
   for (const Constraint& c : here.solved()) rows.add(row_of(c));
@@ -96,32 +104,47 @@ void add_rows(const Basis& basis, Index cell, const CellEdge& edge, const Held& 
 
 }  // namespace
 
-std::vector<Constraint> grid_constraints(const Basis& basis, const std::vector<BoundaryPiece>& boundary,
-                                         const std::vector<Edge>& edges, const Eigen::Matrix2Xd& prescribed) {
+std::vector<HeldCellEdge> held_cell_edges(const Basis& basis, const std::vector<BoundaryPiece>& boundary,
+                                          const std::vector<Edge>& edges) {
   const Grid& grid = basis.grid();
-  ConstraintRows rows;
+  std::vector<HeldCellEdge> held;
   for (std::size_t k = 0; k < boundary.size(); ++k) {
     const auto* condition = std::get_if<Essential>(&boundary[k].condition);
     if (condition == nullptr || condition->method != EssentialMethod::grid) continue;
     const Edge& edge = edges[k];
-    const bool moves = condition->value && prescribed.cols() > 0;
-    const Held held{static_cast<int>(k), condition->normal_only, moves ? &prescribed : nullptr};
     for (std::size_t s = 0; s < edge.segments.size(); ++s) {
       const auto n = static_cast<std::size_t>(edge.points_per_segment);
       const std::span points(&edge.points[s * n], n);
       const Index cell = edge.segments[s].cell;
       double length = 0.0;
       for (const BoundaryPoint& p : points) length += p.weight;
-      if (length < shortest * grid.size(cell)) continue;
+      if (length < shortest * grid.size(cell) || beyond(grid, cell, points)) continue;
       const std::optional<CellEdge> under = edge_under(grid, cell, points);
       if (!under) throw refused(boundary[k], points.front().x, "leaves the grid lines", "move the grid");
-      if (inside_element(grid, cell, *under))
-        throw refused(boundary[k], points.front().x, "runs through the inside of a triangle",
-                      "a mesh with edges along the piece");
-      add_rows(basis, cell, *under, held, rows);
+      held.push_back({static_cast<int>(k), cell, under->a, under->b, points.front().x});
     }
   }
+  return held;
+}
+
+std::vector<Constraint> constraints_along(const std::vector<HeldCellEdge>& held, const Basis& basis,
+                                          const std::vector<BoundaryPiece>& boundary,
+                                          const Eigen::Matrix2Xd& prescribed) {
+  ConstraintRows rows;
+  for (const HeldCellEdge& edge : held) {
+    const BoundaryPiece& piece = boundary[static_cast<std::size_t>(edge.piece)];
+    const auto& condition = std::get<Essential>(piece.condition);
+    if (inside_element(basis.grid(), edge))
+      throw refused(piece, edge.near, "runs through the inside of a triangle", "a mesh with edges along the piece");
+    const bool moves = condition.value && prescribed.cols() > 0;
+    add_rows(basis, edge, {edge.piece, condition.normal_only, moves ? &prescribed : nullptr}, rows);
+  }
   return rows.solved();
+}
+
+std::vector<Constraint> grid_constraints(const Basis& basis, const std::vector<BoundaryPiece>& boundary,
+                                         const std::vector<Edge>& edges, const Eigen::Matrix2Xd& prescribed) {
+  return constraints_along(held_cell_edges(basis, boundary, edges), basis, boundary, prescribed);
 }
 
 }  // namespace shoreline

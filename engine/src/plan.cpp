@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "dynamics/dynamic_run.hpp"
 #include "make_basis.hpp"
 #include "projection_run.hpp"
 #include "shoreline/engine/run.hpp"
@@ -71,6 +72,7 @@ std::string left_out(const Case& problem) {
 
 std::string plan(const Case& problem) {
   if (std::holds_alternative<Projection>(problem.analysis)) return plan_projection(problem);
+  if (std::holds_alternative<ExplicitDynamics>(problem.analysis)) return plan_dynamics(problem);
   const Scene scene = build_scene(problem);
   const Grid& grid = scene.basis->grid();
   const PointSupports supports = locate_points(*scene.basis, scene.points);

@@ -15,6 +15,11 @@ Vec2 origin(const SplineCurve& original, std::size_t point) {
 }
 
 ProbeState state(const Scene& scene, const Probe& probe, double t) {
+  if (probe.lost) {
+    ProbeState last = probe.history.back();
+    last.t = t;
+    return last;
+  }
   if (probe.piece) {
     const BoundaryPiece& b = scene.boundary[*probe.piece];
     const Vec2& position = b.piece.points[probe.point];

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "body_boundary.hpp"
 #include "motion_check.hpp"
 #include "prescribed.hpp"
 #include "respace_pieces.hpp"
@@ -59,46 +60,6 @@ void move_points(const Scene& scene, const PointSupports& supports, const Eigen:
   }
 }
 
-/// Moves the tracking points with the material; pieces that were joined stay joined.
-void move_boundary(Scene& scene, const std::vector<Edge>& edges, const Eigen::Matrix2Xd& increment) {
-  for (std::size_t k = 0; k < scene.boundary.size(); ++k)
-    move_piece(scene.boundary[k].piece, edges[k], [&](Index cell, const Vec2& x) -> Motion {
-      const Support support = scene.basis->support(cell, x);
-      return {support.interpolate(increment), support.gradient_of(increment)};
-    });
-  for (const std::vector<int>& loop : scene.loops)
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      Piece& piece = scene.boundary[static_cast<std::size_t>(loop[k])].piece;
-      Piece& next = scene.boundary[static_cast<std::size_t>(loop[(k + 1) % loop.size()])].piece;
-      if (!piece.closed) piece.points.back() = next.points.front() = 0.5 * (piece.points.back() + next.points.front());
-    }
-}
-
-/// Forces of supports on grid lines, (C.6), by piece; a condition of two pieces counts for the first.
-void add_grid_supports(const Scene& scene, const std::vector<Constraint>& constraints,
-                       const Eigen::Matrix2Xd& increment, Workspace& work) {
-  if (constraints.empty()) return;
-  if (scene.loading == Loading::residual) work.grid_reactions.clear();
-  const Eigen::Matrix2Xd force = work.system.assembler.reactions(work.system.blocks, increment);
-  const auto reaction = [&](int piece) -> Vec3& {
-    const std::string& name = scene.boundary[static_cast<std::size_t>(piece)].piece.name;
-    return work.grid_reactions.try_emplace(name, Vec3::Zero()).first->second;
-  };
-  for (const Constraint& c : constraints) {
-    const double multiplier = force(c.component, c.function);
-    const auto part = [&](const ComponentTerm& term) {
-      return resultant(scene.basis->control_point(term.function),
-                       multiplier * term.coefficient * Vec2::Unit(term.component));
-    };
-    reaction(c.piece) += part({c.function, c.component, 1.0});
-    for (const ComponentTerm& m : c.masters) reaction(c.piece) -= part(m);
-    for (const PieceTerm& other : c.others) {
-      reaction(c.piece) -= part(other.term);
-      reaction(other.piece) += part(other.term);
-    }
-  }
-}
-
 /// Points that are too few to integrate functions of a higher degree leave errors that no refinement removes. The parts
 /// of an element have points of their own, and functions that are linear or quadratic there.
 void warn_few_points(const Basis& basis, const PointSupports& supports, std::vector<std::string>& warnings) {
@@ -136,7 +97,11 @@ void run_step(Scene& scene, int step, const QuasiStaticOptions& options, Workspa
       effect->accept(state, increment);
       effect->report(now);
     }
-    add_grid_supports(scene, constraints, increment, work);
+    if (!constraints.empty()) {
+      if (scene.loading == Loading::residual) work.grid_reactions.clear();
+      const Eigen::Matrix2Xd force = work.system.assembler.reactions(work.system.blocks, increment);
+      add_grid_reactions(scene, constraints, force, work.grid_reactions);
+    }
     now.reactions.insert(work.grid_reactions.begin(), work.grid_reactions.end());
     record.resultants = std::move(now);
     move_points(scene, supports, increment, scene.points);

@@ -5,8 +5,10 @@
 #include <chrono>
 #include <variant>
 
+#include "dynamics/dynamic_run.hpp"
 #include "make_basis.hpp"
 #include "projection_run.hpp"
+#include "saved_step.hpp"
 #include "shoreline/engine/failures.hpp"
 #include "shoreline/engine/linear_solver.hpp"
 #include "shoreline/engine/pictures.hpp"
@@ -17,45 +19,6 @@
 
 namespace shoreline {
 namespace {
-
-constexpr int samples_per_span = 16;  ///< of a curve that is drawn
-
-Eigen::Matrix2Xd sampled(const SplineCurve& curve) {
-  Eigen::Matrix2Xd line(2, static_cast<Eigen::Index>(curve.spans.size()) * samples_per_span + 1);
-  Eigen::Index n = 0;
-  line.col(n++) = curve.spans.front().position(0.0);
-  for (const CubicSpan& span : curve.spans)
-    for (int k = 1; k <= samples_per_span; ++k)
-      line.col(n++) = span.position(static_cast<double>(k) / samples_per_span);
-  return line;
-}
-
-/// The piece as it is drawn: its spline, or a line through its points where motion has left none.
-Eigen::Matrix2Xd drawn(const Piece& piece, const Eigen::Matrix2Xd& points) {
-  try {
-    return sampled(fit_spline(piece));
-  } catch (const InvalidArgument&) {
-    return points;
-  }
-}
-
-SavedStep saved_step(const Scene& scene, int step) {
-  SavedStep saved{.step = step,
-                  .t = static_cast<double>(step) / scene.load_steps,
-                  .position = scene.points.position,
-                  .displacement = scene.points.displacement,
-                  .stress = scene.points.stress,
-                  .strain = scene.points.strain,
-                  .volume = scene.points.volume,
-                  .curves = {}};
-  for (const BoundaryPiece& b : scene.boundary) {
-    Eigen::Matrix2Xd points(2, static_cast<Eigen::Index>(b.piece.points.size()));
-    for (Eigen::Index k = 0; k < points.cols(); ++k) points.col(k) = b.piece.points[static_cast<std::size_t>(k)];
-    Eigen::Matrix2Xd line = drawn(b.piece, points);
-    saved.curves.push_back({b.piece.name, std::move(points), std::move(line)});
-  }
-  return saved;
-}
 
 /// @param radii  whether to measure those of arcs
 ErrorNorms errors_of(const Scene& scene, const RunRecord& record, bool radii, double t) {
@@ -110,7 +73,8 @@ class Saving {
 
  private:
   void save(int step) {
-    record_.phases.time("output", [&] { writer_.write(saved_step(scene_, step)); });
+    record_.phases.time(
+        "output", [&] { writer_.write(saved_step(scene_, step, static_cast<double>(step) / scene_.load_steps)); });
     last_ = step;
     save_probes();
   }
@@ -147,6 +111,7 @@ Summary run(const Case& problem, const RunOptions& options) {
   const auto start_time = std::chrono::steady_clock::now();
   const int threads = use_threads(problem.threads);
   if (std::holds_alternative<Projection>(problem.analysis)) return run_projection(problem, options, threads);
+  if (std::holds_alternative<ExplicitDynamics>(problem.analysis)) return run_dynamics(problem, options, threads);
   RunRecord record;
   Scene scene = record.phases.time("setup", [&] { return build_scene(problem); });
   Summary summary = start(problem, scene, threads);

@@ -7,6 +7,7 @@
 
 #include "body.hpp"
 #include "conditions_on_piece.hpp"
+#include "scene_of_body.hpp"
 #include "shoreline/boundary/region.hpp"
 #include "shoreline/engine/effects.hpp"
 #include "shoreline/engine/failures.hpp"
@@ -81,33 +82,38 @@ ExactSolution by_expressions(const Case::ExactExpressions& exact) {
 ExactSolution to_solution(const Case& problem, const LoadFactor& factor) {
   const ElasticConstants material{problem.material.youngs_modulus, problem.material.poissons_ratio, problem.plane};
   return std::visit(Overloaded{[](const Case::ExactExpressions& exact) { return by_expressions(exact); },
+                               [&](const SelfWeightColumn& column) { return exact_solution(column, material); },
                                [&](const auto& closed_form) { return exact_solution(closed_form, material, factor); }},
                     *problem.exact);
 }
 
 }  // namespace
 
-Scene build_scene(const Case& problem) {
+Scene scene_of_body(const Case& problem, const LoadFactor& factor) {
   Scene scene;
   Body body = build_body(problem);
-  const std::vector<SplineCurve>& curves = body.curves;
   scene.basis = std::move(body.basis);
   scene.loops = std::move(body.loops);
   scene.points = std::move(body.points);
-  scene.material =
-      std::make_shared<LinearElastic>(problem.material.youngs_modulus, problem.material.poissons_ratio, problem.plane);
-  const auto& analysis = std::get<QuasiStatic>(problem.analysis);
-  scene.loading = analysis.loading;
-  scene.load_steps = analysis.load_steps;
-  scene.respacing = problem.respacing;
-  const LoadFactor factor = load_factor(analysis);
   if (problem.exact) scene.exact = to_solution(problem, factor);
-  for (std::size_t k = 0; k < curves.size(); ++k) {
-    const auto original = std::make_shared<SplineCurve>(curves[k]);
+  for (std::size_t k = 0; k < body.curves.size(); ++k) {
+    const auto original = std::make_shared<SplineCurve>(body.curves[k]);
     const auto& [piece, condition] = problem.boundaries[k];
     scene.boundary.push_back({piece, to_condition(condition, {original, factor, scene.exact}), original});
   }
   check_grid_pieces(problem, scene, *scene.basis);
+  return scene;
+}
+
+Scene build_scene(const Case& problem) {
+  const auto& analysis = std::get<QuasiStatic>(problem.analysis);
+  const LoadFactor factor = load_factor(analysis);
+  Scene scene = scene_of_body(problem, factor);
+  scene.material =
+      std::make_shared<LinearElastic>(problem.material.youngs_modulus, problem.material.poissons_ratio, problem.plane);
+  scene.loading = analysis.loading;
+  scene.load_steps = analysis.load_steps;
+  scene.respacing = problem.respacing;
 
   scene.contributions.push_back(stiffness_of(scene.material));
   if (problem.body_force || problem.gravity)

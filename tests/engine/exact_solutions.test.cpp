@@ -1,6 +1,7 @@
 #include "shoreline/engine/exact_solutions.hpp"
 
 #include <catch2/catch.hpp>
+#include <numbers>
 
 #include "../plate.hpp"
 #include "../random.hpp"
@@ -143,4 +144,84 @@ TEST_CASE("radii that make no ring or hole are refused with the value", "[engine
   CHECK_THROWS_AS(ring(NAN, 2.0), InvalidArgument);
   CHECK_THROWS_AS(ring(1.0, NAN), InvalidArgument);
   CHECK_THROWS_WITH(exact_solution(PlateWithHole{-0.5, 1.0}, material, ramp), Contains("got -0.5"));
+}
+
+namespace {
+
+constexpr SelfWeightColumn column{.height = 1.5, .density = 2000.0, .gravity = 9.81};
+const ElasticConstants soft{1e5, 0.3, Plane::strain};
+const double modulus = 1e5 * 0.7 / (1.3 * 0.4);  // λ + 2μ
+const double period = 4.0 * column.height / std::sqrt(modulus / column.density);
+const double amplitude = column.density * column.gravity * column.height * column.height / modulus;
+
+/// The column's displacement by its series, eigenfunctions sin((2n−1)πy/2H) about the equilibrium.
+double series(double y, double t) {
+  constexpr double pi = std::numbers::pi;
+  double u = 0.5 * y * y / column.height / column.height - y / column.height;
+  for (int n = 1; n <= 200; ++n) {
+    const double k = (2.0 * n - 1.0) * pi / 2.0;
+    u += 2.0 / (k * k * k) * std::cos(k * 4.0 * t / period) * std::sin(k * y / column.height);
+  }
+  return amplitude * u;
+}
+
+}  // namespace
+
+TEST_CASE("the column under its own weight is the sum of its series", "[engine][exact_solutions]") {
+  const ExactSolution exact = exact_solution(column, soft);
+  test::Random random(5);
+  for (int draw = 0; draw < 200; ++draw) {
+    const double y = random.uniform(0.0, column.height), t = random.uniform(0.0, 3.0 * period);
+    const Vec2 u = exact.displacement(Vec2(random.uniform(-1.0, 1.0), y), t);
+    CHECK(u.x() == 0.0);
+    CHECK_THAT(u.y(), WithinAbs(series(y, t), 1e-4 * amplitude));
+  }
+  // half a period after the start it has gone down by twice its settlement
+  CHECK_THAT(exact.displacement(Vec2(0.0, column.height), 0.5 * period).y(), WithinRel(-amplitude, 1e-12));
+}
+
+TEST_CASE("the column under its own weight starts at rest, is held at the base and free at the top",
+          "[engine][exact_solutions]") {
+  const ExactSolution exact = exact_solution(column, soft);
+  test::Random random(6);
+  for (int draw = 0; draw < 50; ++draw) {
+    const Vec2 x(0.3, random.uniform(0.0, column.height));
+    const double t = random.uniform(0.0, 3.0 * period);
+    CHECK_THAT(exact.displacement(x, 0.0).y(), WithinAbs(0.0, 1e-14 * amplitude));
+    CHECK_THAT(exact.displacement(x, 1e-7 * period).y(), WithinAbs(0.0, 1e-12 * amplitude));
+    CHECK_THAT(exact.stress(x, 0.0).norm(), WithinAbs(0.0, 1e-9 * modulus * amplitude));
+    CHECK_THAT(exact.displacement(Vec2(0.3, 0.0), t).y(), WithinAbs(0.0, 1e-13 * amplitude));
+    CHECK_THAT(exact.stress(Vec2(0.3, column.height), t).norm(), WithinAbs(0.0, 1e-12 * modulus * amplitude));
+  }
+}
+
+TEST_CASE("the column moves by the wave equation under gravity, with the stress of its strain",
+          "[engine][exact_solutions]") {
+  const ExactSolution exact = exact_solution(column, soft);
+  const double speed = std::sqrt(modulus / column.density);
+  test::Random random(7);
+  const double step = 1e-4;  // [m]
+  int checked = 0;
+  for (int draw = 0; draw < 200; ++draw) {
+    const double y = random.uniform(0.1, 1.4), t = random.uniform(0.1 * period, 3.0 * period);
+    const auto near_kink = [&](double z) { return std::abs(std::remainder(z, 2.0 * column.height)) < 3.0 * step; };
+    if (near_kink(y - speed * t) || near_kink(y + speed * t)) continue;
+    ++checked;
+    const auto u = [&](double dy, double dt) { return exact.displacement(Vec2(0.0, y + dy), t + dt).y(); };
+    const double strain = (u(step, 0.0) - u(-step, 0.0)) / (2.0 * step);
+    const Vec3 stress = exact.stress(Vec2(0.0, y), t);
+    CHECK_THAT(stress[1], WithinAbs(modulus * strain, 1e-7 * modulus * amplitude));
+    CHECK_THAT(stress[0], WithinAbs(0.3 / 0.7 * stress[1], 1e-9 * modulus));
+    CHECK(stress[2] == 0.0);
+    const double dt = step / speed;
+    const double acceleration = (u(0.0, dt) - 2.0 * u(0.0, 0.0) + u(0.0, -dt)) / (dt * dt);
+    const double curvature = (u(step, 0.0) - 2.0 * u(0.0, 0.0) + u(-step, 0.0)) / (step * step);
+    CHECK_THAT(acceleration, WithinAbs(speed * speed * curvature - column.gravity, 1e-4 * column.gravity));
+  }
+  CHECK(checked > 150);
+}
+
+TEST_CASE("a column without height is refused with the value", "[engine][exact_solutions]") {
+  CHECK_THROWS_WITH(exact_solution(SelfWeightColumn{0.0, 1.0, 9.81}, soft), Contains("height > 0, got 0.0"));
+  CHECK_THROWS_AS(exact_solution(SelfWeightColumn{NAN, 1.0, 9.81}, soft), InvalidArgument);
 }

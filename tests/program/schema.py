@@ -11,7 +11,7 @@ import sys
 
 from jsonschema import Draft202012Validator
 
-from wrong_cases import CASE, PROJECTION, all_wrong_cases
+from wrong_cases import CASE, DYNAMICS, PROJECTION, all_wrong_cases
 
 PROGRAM, SOURCE = sys.argv[1:3]
 
@@ -35,7 +35,7 @@ def faults():
     Draft202012Validator.check_schema(schema)
     validator = Draft202012Validator(schema)
     yield from (f"{path} has no description" for path in undescribed(schema))
-    for case in (CASE, PROJECTION):
+    for case in (CASE, PROJECTION, DYNAMICS):
         yield from (f"{case['title']}: {error.message}" for error in validator.iter_errors(case))
     examples = [f for f in glob.glob(os.path.join(SOURCE, "examples", "*", "*.json"))
                 if "analysis" in json.load(open(f))]

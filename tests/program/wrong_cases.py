@@ -73,6 +73,31 @@ PROJECTION = {
     "output": {"pictures": False},
 }
 
+DYNAMICS = {
+    "title": "every key of explicit dynamics",
+    "analysis": {"type": "explicit_dynamics", "time_step": "auto", "safety": 0.5, "end_time": 0.1,
+                 "mass": "partly_lumped", "transfer": 0.5, "damping": 0.1, "leaving": "drop"},
+    "material": {"type": "linear_large", "youngs_modulus": 1e6, "poissons_ratio": 0.2, "density": 2000.0},
+    "grid": {"basis": "bilinear", "lower": [-1, -1], "upper": [2, 2], "cell_size": 0.5},
+    "boundaries": [
+        {"name": "base", "points": [[0, 0], [1, 0]], "condition": {"type": "fixed", "method": "grid"}},
+        {"name": "right", "points": [[1, 0], [1, 1]], "condition": {"type": "roller", "method": "grid"}},
+        {"name": "top", "points": [[1, 1], [0, 1]], "condition": {"type": "traction", "value": [0, "p*t"]}},
+        {"name": "left", "points": [[0, 1], [0, 0]],
+         "condition": {"type": "displacement", "value": [0, "1e-9*t"], "method": "grid"}},
+    ],
+    "material_points": {"per_cell": 2, "fill": "lattice"},
+    "body_force": [0, "p"],
+    "gravity": [0, -9.81],
+    "initial_velocity": ["1e-6*p*x", 0],
+    "constants": {"p": 1000.0},
+    "exact": {"type": "self_weight_column", "height": 1.0},
+    "history": {"every": 10},
+    "probes": [{"name": "tip", "position": [1, 1]}],
+    "solver": {"threads": 1},
+    "output": {"every": 100, "pictures": False},
+}
+
 OTHERS = [("grid", {"cells": "triangle", "basis": "linear", "pattern": "four", "lower": [0, 0], "upper": [1, 1],
                     "cell_size": [1, 1]}),
           ("grid", {"mesh": "square.msh", "cells": "triangle", "basis": "powell_sabin"}),
@@ -90,6 +115,8 @@ OPTIONAL = {"title", "load_steps", "load", "loading", "density", "cells", "basis
             "fill", "volumes", "body_force", "gravity", "ghost", "constants", "exact", "probes", "tracking", "respace",
             "centre", "seed", "solver", "threads", "diagnostics", "condition_estimate", "output", "every", "pictures", "hole", "p",
             "gradient", "mass"}
+OPTIONAL_IN_DYNAMICS = {"time_step", "safety", "transfer", "damping", "leaving", "boundaries", "initial_velocity",
+                        "history"}
 
 
 class Wrong:
@@ -144,7 +171,8 @@ def wrong_key(case, pointer, among):
         yield Wrong(f"misspelt {pointer}", text, parent, words, True)
     yield Wrong(f"mistyped {pointer}", replaced(path, None, case), pointer, ["found null", "expected"], True)
     first = key in ("points", "mesh") and "name" not in among  # tells what the object is
-    if (key not in OPTIONAL or one_of_several(key, among)) and not first:
+    optional = OPTIONAL - {"density"} | OPTIONAL_IN_DYNAMICS if case is DYNAMICS else OPTIONAL
+    if (key not in optional or one_of_several(key, among)) and not first:
         text = changed(path, lambda at, last: at.pop(last), case)
         words = ["exactly one of"] if one_of_several(key, among) else [f'"{key}" is missing', "expected"]
         yield Wrong(f"missing {pointer}", text, parent, words, True)
@@ -153,8 +181,9 @@ def wrong_key(case, pointer, among):
 def every_key_misspelt_mistyped_missing():
     for pointer, among in keys(CASE):
         yield from wrong_key(CASE, pointer, among)
-    for pointer, among in keys(PROJECTION):
-        yield from wrong_key(PROJECTION, pointer, among)
+    for case in (PROJECTION, DYNAMICS):
+        for pointer, among in keys(case):
+            yield from wrong_key(case, pointer, among)
     for place, value in OTHERS:
         for pointer, among in keys(value, f"/{place}"):
             yield from wrong_key({**CASE, place: value}, pointer, among)
@@ -163,7 +192,7 @@ def every_key_misspelt_mistyped_missing():
 def wrong_values():
     table = [  # path, value, in the message, whether the schema sees it
         ("title", 5, "a string", True),
-        ("analysis/type", "explicit_dynamics", '"quasi_static", "projection"', True),
+        ("analysis/type", "explicit_dynamic", 'nearest: "explicit_dynamics"', True),
         ("analysis/plane", "stres", 'nearest: "stress"', True),
         ("analysis/load_steps", 0, "whole number from 1", True),
         ("analysis/load_steps", -3, "whole number from 1", True),
@@ -409,6 +438,98 @@ def wrong_projections():
     yield Wrong("a value in load steps", replaced("analysis/value", 1), "/analysis", ['unknown key "value"'], True)
 
 
+def wrong_dynamics():
+    table = [  # path, value, in the message, whether the schema sees it
+        ("analysis/plane", "stress", 'expected "strain"', True),
+        ("analysis/time_step", 0, "> 0", True),
+        ("analysis/time_step", -1e-3, "> 0", True),
+        ("analysis/time_step", 1e300, "1e+30", True),
+        ("analysis/time_step", "atuo", '"auto"', True),
+        ("analysis/time_step", "NaN", '"auto"', True),
+        ("analysis/safety", 0, "> 0", True),
+        ("analysis/safety", 1.1, "1", True),
+        ("analysis/end_time", 0, "> 0", True),
+        ("analysis/end_time", -1, "> 0", True),
+        ("analysis/end_time", "1", "a number", True),
+        ("analysis/mass", "lumpd", 'nearest: "lumped"', True),
+        ("analysis/mass", "partly-lumped", 'nearest: "partly_lumped"', True),
+        ("analysis/transfer", 1.5, "1", True),
+        ("analysis/transfer", -0.1, "0", True),
+        ("analysis/transfer", "apic", '"pic"', True),
+        ("analysis/damping", 1, "< 1", True),
+        ("analysis/damping", -0.1, "≥ 0", True),
+        ("analysis/leaving", "ignore", '"stop", "drop"', True),
+        ("material/type", "linear_elastic", '"linear_large"', True),
+        ("material/type", "neohookean", 'nearest: "neo_hookean"', True),
+        ("material/density", 0, "> 0", True),
+        ("boundaries/0/condition/method", "nitshe", 'nearest: "nitsche"', True),
+        ("boundaries/0/condition/method", "nitsche", 'method "grid" alone', False),
+        ("boundaries/1/condition/method", "implicit_boundary", 'method "grid" alone', False),
+        ("boundaries/3/condition/method", "nitsche", 'method "grid" alone', False),
+        ("boundaries/2/condition/value/1", "p*z", "character 3", False),
+        ("gravity", [0], "list of 2", True),
+        ("gravity/1", [0], "a number", True),
+        ("initial_velocity", 1, "list of 2", True),
+        ("initial_velocity/0", "p*z", "character 3", False),
+        ("exact/type", "self_weight_colum", 'nearest: "self_weight_column"', True),
+        ("exact/height", 0, "> 0", True),
+        ("history", 10, "an object", True),
+        ("history/every", 0, "from 1", True),
+        ("history/every", 1.5, "whole number", True),
+        ("output/every", 0, "from 1", True),
+    ]
+    for path, value, words, structural in table:
+        yield Wrong(f"dynamics: {path} = {value!r}", replaced(path, value, DYNAMICS), "/" + path,
+                    ["formula" if words == "character 3" else "", words], structural)
+
+    listed = {"points": [[0.25, 0.25], [0.75, 0.25]], "volumes": [0.25, 0.25]}
+    fixed_step = {**DYNAMICS["analysis"], "time_step": 1e-3}
+    without_safety = {key: value for key, value in fixed_step.items() if key != "safety"}
+    without_gravity = {key: value for key, value in DYNAMICS.items() if key != "gravity"}
+    unbounded = {key: value for key, value in DYNAMICS.items() if key != "boundaries"}
+    base = DYNAMICS["boundaries"][0]
+    for name, case, pointer, words, structural in [
+            ("a safety factor beside a time step", {**DYNAMICS, "analysis": fixed_step}, "/analysis/safety",
+             ["found a safety factor", '"auto"'], False),
+            ("a time step above the critical one",
+             {**DYNAMICS, "analysis": {**without_safety, "time_step": 0.05}}, "/analysis/time_step",
+             ["found 0.05 s", "expected at most ", "critical step", "partly_lumped", '"auto"'], False),
+            ("a huge time step", {**DYNAMICS, "analysis": {**without_safety, "time_step": 1e20}},
+             "/analysis/time_step", ["found 0.1 s", "expected at most "], False),
+            ("a time step of too many", {**DYNAMICS, "analysis": {**without_safety, "time_step": 1e-12}},
+             "/analysis/time_step", ["1e+11 steps", "at most 1e+09"], False),
+            ("the column without gravity", without_gravity, "/exact/type", ['expected "gravity"'], False),
+            ("the column under sideways gravity", {**DYNAMICS, "gravity": [1, -9.81]}, "/exact/type",
+             ['expected "gravity"', "the first 0"], False),
+            ("the column under a field of gravity", {**DYNAMICS, "gravity": [0, "-9.81"]}, "/exact/type",
+             ['expected "gravity"', "two numbers"], False),
+            ("the column of another law", {**DYNAMICS, "material": {**DYNAMICS["material"], "type": "neo_hookean"}},
+             "/material/type", ['found "neo_hookean"', '"linear_large"', "self_weight_column"], False),
+            ("an exact solution of load steps", {**DYNAMICS, "exact": {"type": "plate_with_hole", "radius": 1,
+                                                                       "far_field_stress": 1}},
+             "/exact/type", ['"self_weight_column"'], True),
+            ("a band", {**DYNAMICS, "boundaries": [{**base, "condition": {"type": "fixed", "band": 1e-3}}]},
+             "/boundaries/0/condition", ['unknown key "band"'], True),
+            ("a support off the grid lines",
+             {**DYNAMICS, "grid": {**DYNAMICS["grid"], "lower": [-1.1, -1.1]}}, "/boundaries",
+             ['"base"', "leaves the grid lines"], False),
+            ("a fill without an outline", unbounded, "/material_points", ["outline"], False),
+            ("a point outside the grid", {**unbounded, "material_points": {**listed, "points": [[0.5, 0.5], [9, 9]]}},
+             "/material_points", ["point 1 at (9, 9)", "outside the grid"], False),
+            *[(f"dynamics with {key}", {**DYNAMICS, key: CASE[key]}, f"/{key}", ["expected none", '"explicit_dynamics"'],
+               True) for key in ("ghost", "tracking", "diagnostics")],
+            *[(f"dynamics with analysis.{key}", {**DYNAMICS, "analysis": {**DYNAMICS["analysis"], key: value}},
+               "/analysis", [f'unknown key "{key}"'], True)
+              for key, value in (("load_steps", 2), ("load", "t"), ("loading", "residual"))],
+            *[(f"load steps with {key}", {**CASE, key: DYNAMICS[key]}, f"/{key}", ["expected none", '"quasi_static"'],
+               True) for key in ("initial_velocity", "history")]]:
+        yield Wrong(name, json.dumps(case), pointer, words, structural)
+    whole = json.dumps(DYNAMICS)
+    for number in ("NaN", "Infinity"):
+        yield Wrong(f"a time step of {number}", whole.replace('"auto"', number, 1), "", ["line 1, column"], False)
+    yield Wrong("a time step of 1e999", whole.replace('"auto"', "1e999", 1), "/analysis/time_step", ["double"], False)
+
+
 def wrong_texts():
     whole = json.dumps(CASE)
     yield Wrong("empty", "", "", ["empty"], False)
@@ -429,5 +550,5 @@ def wrong_texts():
 
 def all_wrong_cases():
     for family in (every_key_misspelt_mistyped_missing, wrong_values, wrong_together, wrong_grids,
-                   wrong_projections, wrong_texts):
+                   wrong_projections, wrong_dynamics, wrong_texts):
         yield from family()

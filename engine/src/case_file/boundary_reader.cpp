@@ -138,4 +138,18 @@ std::vector<Case::Boundary> read_boundaries(const Node& node, const Known& known
   return boundaries;
 }
 
+std::vector<Case::Probe> read_probes(const Node& node) {
+  std::vector<Case::Probe> probes;
+  std::map<std::string, std::size_t> seen;
+  for (std::size_t i = 0; i < node.size(); ++i) {
+    const Node entry = node.entry(i);
+    probes.push_back({entry["name"].as<std::string>(), entry["position"].vector()});
+    const auto [before, is_new] = seen.emplace(probes.back().name, i);
+    if (!is_new)
+      entry["name"].place.fail(
+          fmt::format("found \"{}\", the name of probe {} too, expected another", probes.back().name, before->second));
+  }
+  return probes;
+}
+
 }  // namespace shoreline

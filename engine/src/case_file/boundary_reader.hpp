@@ -1,5 +1,5 @@
 #pragma once
-// Boundary pieces and expressions of a case.
+// Boundary pieces, probes and expressions of a case.
 
 #include <map>
 
@@ -29,5 +29,8 @@ struct Known {
 /// @throws CaseError for points that make no piece, names that repeat, a band where there is none, the value of an
 ///         exact solution where there is none
 [[nodiscard]] std::vector<Case::Boundary> read_boundaries(const Node& node, const Known& known);
+
+/// @throws CaseError for names that repeat
+[[nodiscard]] std::vector<Case::Probe> read_probes(const Node& node);
 
 }  // namespace shoreline

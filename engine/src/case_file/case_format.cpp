@@ -19,12 +19,12 @@ A displacement or traction may be `"exact"`: that of the case's `exact` solution
 material there.
 
 **Expressions.** A number, or a formula in a string. A formula knows `x`, `y` (current position; in `exact` the
-original one), `X`, `Y` (original position), `t` (k/N at the end of step k of N), `pi` and the names under
+original one), `X`, `Y` (original position), `t` (k/N at the end of step k of N, in dynamics seconds), `pi` and the names under
 `constants`; the operators `+ - * / ^`, `== != < > <= >=`, `&& ||` and `a ? b : c`; and the functions `abs sign rint
 sqrt exp ln log log2 log10 sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh min max sum avg` (`log`
 is the natural logarithm). Plain numbers in loads and prescribed displacements ramp with the load factor, which is t or
 the formula under `analysis.load`; formulas are taken as they are. In `exact`, closed forms follow the load factor too,
-and expressions are taken as they are, numbers among them.
+and expressions are taken as they are, numbers among them. In dynamics nothing ramps.
 
 **On the command line** `--set path=value` overrides or adds any key by its dotted path, list entries by number or by
 their `name`: `--set grid.cell_size=0.0625 --set boundaries.outer.condition.band=1e-6`. The value is JSON, or a bare

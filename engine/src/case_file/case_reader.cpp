@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "boundary_reader.hpp"
+#include "dynamics_reader.hpp"
 #include "grid_reader.hpp"
 #include "keys.hpp"
 #include "overrides.hpp"
@@ -38,7 +39,8 @@ Constants read_constants(const Node& node) {
 }
 
 Case::Material read_material(const Node& node) {
-  Case::Material material{.youngs_modulus = node["youngs_modulus"].as<double>(),
+  Case::Material material{.law = Case::Law::linear_elastic,
+                          .youngs_modulus = node["youngs_modulus"].as<double>(),
                           .poissons_ratio = node["poissons_ratio"].as<double>(),
                           .density = std::nullopt};
   if (node.has("density")) material.density = node["density"].as<double>();
@@ -80,20 +82,6 @@ double ghost_by_default(const std::vector<Case::Boundary>& boundaries, const Cas
     return smooth ? method != EssentialMethod::grid : method == EssentialMethod::nitsche;
   });
   return needed ? ghost_for_nitsche(grid.basis, grid.degree) : 0.0;
-}
-
-std::vector<Case::Probe> read_probes(const Node& node) {
-  std::vector<Case::Probe> probes;
-  std::map<std::string, std::size_t> seen;
-  for (std::size_t i = 0; i < node.size(); ++i) {
-    const Node entry = node.entry(i);
-    probes.push_back({entry["name"].as<std::string>(), entry["position"].vector()});
-    const auto [before, is_new] = seen.emplace(probes.back().name, i);
-    if (!is_new)
-      entry["name"].place.fail(
-          fmt::format("found \"{}\", the name of probe {} too, expected another", probes.back().name, before->second));
-  }
-  return probes;
 }
 
 /// A formula of t alone.
@@ -198,6 +186,8 @@ Case case_of(const Node& root, const std::filesystem::path& file) {
     problem.material_points = read_material_points(root["material_points"], problem.grid);
   if (root["analysis"]["type"].is("projection"))
     problem.analysis = read_projection(root, constants);
+  else if (root["analysis"]["type"].is("explicit_dynamics"))
+    read_dynamics(root, constants, problem);
   else
     read_load_steps(root, constants, problem);
   return problem;

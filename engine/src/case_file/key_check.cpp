@@ -132,6 +132,7 @@ class Checker {
   void check_kind(const Depending& depending, const Schema& schema, Json& value) {
     expect(value.is_object(), schema, value);
     const auto& meant = alternative(depending, value);
+    check_tag(depending, *std::ranges::find(meant.second.keys, depending.on, &Key::name), value);
     for (const auto& [tag, other] : depending.alternatives)
       refuse_foreign(meant.second, other, value, [&](const std::string& name) {
         return fmt::format("found \"{}\", expected none with \"type\": \"{}\" in /{}", name, meant.first, depending.on);
@@ -139,12 +140,27 @@ class Checker {
     check_keys(meant.second, names(meant.second), value);
   }
 
+  /// Comes first: where the tag is wrong, none of the other keys can be judged.
+  void check_tag(const Depending& depending, const Key& tag, Json& value) {
+    if (value.contains(tag.name)) return check_at(tag.name, tag.schema, value[tag.name]);
+    std::vector<std::string> allowed;
+    for (const auto& [type, object] : depending.alternatives)
+      for (const std::string& name : names(object))
+        if (!std::ranges::count(allowed, name)) allowed.push_back(name);
+    refuse_unknown(allowed, value);
+    fail_missing(tag);
+  }
+
+  [[noreturn]] void fail_missing(const Key& key) const {
+    fail(fmt::format("key \"{}\" is missing, expected {}", key.name, in_words(key.schema)));
+  }
+
   void check_keys(const Object& object, const std::vector<std::string>& allowed, Json& value) {
     refuse_unknown(allowed, value);
     check_exactly_one(object, value);
     for (const Key& key : object.keys) {
       if (!value.contains(key.name)) {
-        if (key.required) fail(fmt::format("key \"{}\" is missing, expected {}", key.name, in_words(key.schema)));
+        if (key.required) fail_missing(key);
         if (key.fallback.is_null()) continue;
         value[key.name] = key.fallback;
       }

@@ -36,6 +36,13 @@ inline Schema one_or_pair(const Schema& entry) { return {Either{{entry, several(
 /// Keys of `grid`.
 [[nodiscard]] Schema grid();
 
+/// Keys of `analysis`.
+[[nodiscard]] Schema analysis();
+
+/// Keys of `material` where strains are small, and where they may be large.
+[[nodiscard]] Schema small_strain_material();
+[[nodiscard]] Schema large_strain_material();
+
 /// Keys of `material_points`.
 [[nodiscard]] Schema material_points();
 

@@ -4,36 +4,6 @@
 namespace shoreline::keys {
 namespace {
 
-Schema analysis() {
-  const Object quasi_static{
-      {key("plane", {Choice{{"strain", "stress"}}}, required, "", "plane strain or plane stress"),
-       key("load_steps", {Integer{1, 1000000}}, otherwise(QuasiStatic{}.load_steps), "",
-           "equal steps N; t = k/N at the end of step k"),
-       key("load", {Formula{}}, optional, "",
-           "load factor, an expression of t by which plain numbers ramp; default t itself"),
-       key("loading", {Choice{{"residual", "incremental"}}}, otherwise("residual"), "",
-           "what a step balances: the whole load less what is carried already, or the increment of load alone")},
-      {}};
-  const Object projection{
-      {key("value", {Formula{}}, optional, "", "what is projected, an expression of x and y"),
-       key("data", list(any_number(), 1, many), optional, "",
-           "what is projected, one number for each of the listed `material_points.points`"),
-       key("gradient", several(2, {Formula{}}), optional, "1/m",
-           "∂/∂x and ∂/∂y of `value`, for the errors of the projection's derivatives"),
-       key("mass", {Choice{{"consistent", "lumped"}}}, otherwise("consistent"), "",
-           "`consistent`: the best approximation; `lumped`: means of the values, which stay within their extremes")},
-      {"value", "data"}};
-  return {Tagged{{{"quasi_static", quasi_static}, {"projection", projection}}}};
-}
-
-Schema material() {
-  const Object linear_elastic{{key("youngs_modulus", positive_number(), required, "Pa", "E"),
-                               key("poissons_ratio", {Number{{-1.0, 0.5, true, true}}}, required, "", "ν"),
-                               key("density", positive_number(), optional, "kg/m³", "ρ; needed by `gravity`")},
-                              {}};
-  return {Tagged{{{"linear_elastic", linear_elastic}}}};
-}
-
 Schema line() {
   return {
       Object{{key("from", position(), required, "m", "first point"), key("to", position(), required, "m", "last point"),
@@ -57,7 +27,12 @@ Schema circle() {
                  {}}};
 }
 
-Object held() {
+/// @param dynamic  in explicit dynamics
+Object held(bool dynamic) {
+  if (dynamic)
+    return {{key("method", {Choice{{"grid", "implicit_boundary", "nitsche"}}}, otherwise("grid"), "",
+                 "`grid` alone: elimination on grid lines; the bands of the others would rule the time step")},
+            {}};
   return {{key("method", {Choice{{"implicit_boundary", "nitsche", "grid"}}}, otherwise("implicit_boundary"), "",
                "how the condition enters: penalty of a band, the same made consistent, or elimination on grid lines"),
            key("band", {Number{{0.0, 0.1, true}}}, optional, "",
@@ -66,14 +41,14 @@ Object held() {
           {}};
 }
 
-Schema condition() {
+Schema condition(bool dynamic) {
   const Schema vector_or_exact{Either{{several(2, {Formula{}}), {Choice{{"exact"}}}}}};
   const Object traction{{key("value", vector_or_exact, required, "Pa",
                              "force per area on the body, x and y; `exact`: of the exact solution")},
                         {}};
   const Object pressure{{key("value", {Formula{}}, required, "Pa", "pushes into the body, along its current normal")},
                         {}};
-  Object displacement = held();
+  Object displacement = held(dynamic);
   displacement.keys.insert(
       displacement.keys.begin(),
       {key("value", vector_or_exact, optional, "m",
@@ -81,14 +56,14 @@ Schema condition() {
        key("normal", {Formula{}}, optional, "m",
            "its component along the inward normal alone, positive into the body, free along the piece; or `exact`")});
   displacement.exactly_one = {"value", "normal"};
-  return {Tagged{{{"fixed", held()},
-                  {"roller", held()},
+  return {Tagged{{{"fixed", held(dynamic)},
+                  {"roller", held(dynamic)},
                   {"displacement", displacement},
                   {"traction", traction},
                   {"pressure", pressure}}}};
 }
 
-Schema boundary() {
+Schema boundary(bool dynamic) {
   return {Object{
       {key("name", {Name{}}, required, "", "name of the piece in results, messages and paths; no two alike"),
        key("points", list(position(), 2, many), optional, "m",
@@ -98,11 +73,11 @@ Schema boundary() {
        key("circle", circle(), optional, "", "short form: a closed circle"),
        key("corners", list({Integer{0, static_cast<int>(many)}}, 0, many), otherwise(Json::array()), "",
            "numbers of inner points (the first point is 0) at which the tangent may jump"),
-       key("condition", condition(), optional, "", "without it the piece is free of traction")},
+       key("condition", condition(dynamic), optional, "", "without it the piece is free of traction")},
       {"points", "line", "arc", "circle"}}};
 }
 
-Schema exact() {
+Schema exact(bool dynamic) {
   const Object plate{{key("radius", length(), required, "m", "radius of a hole about the origin"),
                       key("far_field_stress", any_number(), required, "Pa", "σ_xx far away, times the load factor")},
                      {}};
@@ -113,6 +88,12 @@ Schema exact() {
   const Object expressions{{key("displacement", several(2, {Formula{}}), required, "m", "u, v"),
                             key("stress", several(3, {Formula{}}), required, "Pa", "xx, yy, xy; tension positive")},
                            {}};
+  if (dynamic) {
+    const Object column{{key("height", length(), required, "m",
+                             "of a column on y = 0 onto which `gravity` is let at t = 0; law `linear_large`")},
+                        {}};
+    return {Tagged{{{"self_weight_column", column}, {"expressions", expressions}}}};
+  }
   return {Tagged{{{"plate_with_hole", plate}, {"thick_cylinder", cylinder}, {"expressions", expressions}}}};
 }
 
@@ -140,18 +121,27 @@ Schema diagnostics() {
                  {}}};
 }
 
-/// @param steps  whether there are some
-Schema output(bool steps) {
-  const Key every = key("every", {Integer{1, 1000000}}, otherwise(Case{}.output.every), "",
-                        "load steps from one saved step to the next; the last is always saved");
-  const Key pictures =
-      key("pictures", {Boolean{}}, otherwise(Case{}.output.pictures), "", "draw PNG pictures at the end");
-  return {Object{steps ? std::vector<Key>{every, pictures} : std::vector<Key>{pictures}, {}}};
+Key pictures() {
+  return key("pictures", {Boolean{}}, otherwise(Case{}.output.pictures), "", "draw PNG pictures at the end");
 }
+Schema output_of_load_steps() {
+  return {Object{{key("every", {Integer{1, 1000000}}, otherwise(Case{}.output.every), "",
+                      "load steps from one saved step to the next; the last is always saved"),
+                  pictures()},
+                 {}}};
+}
+Schema output_of_time_steps() {
+  return {Object{{key("every", {Integer{1, 100000000}}, optional, "",
+                      "steps from one saved step to the next; the last is always saved; default: a step is saved "
+                      "whenever a fiftieth of the time has passed"),
+                  pictures()},
+                 {}}};
+}
+Schema output_of_projection() { return {Object{{pictures()}, {}}}; }
 
 Key title() { return key("title", {Text{}}, optional, "", "one line for people; default: the name of the file"); }
-Key boundaries(const Presence& presence, std::string meaning) {
-  return key("boundaries", list(boundary(), 1, 100000), presence, "", std::move(meaning));
+Key boundaries(const Presence& presence, std::string meaning, bool dynamic = false) {
+  return key("boundaries", list(boundary(dynamic), 1, 100000), presence, "", std::move(meaning));
 }
 Key constants() {
   return key("constants", {NumberMap{{-huge, huge}}}, otherwise(Json::object()), "",
@@ -164,7 +154,7 @@ Key settings(std::string name, Schema schema, std::string meaning) {
 Object quasi_static_case() {
   return {
       {title(), key("analysis", analysis(), required, "", "what is computed"),
-       key("material", material(), required, "", "the law of the material"),
+       key("material", small_strain_material(), required, "", "the law of the material"),
        key("grid", grid(), required, "", "the background grid and its basis"),
        boundaries(required, "pieces of the outline, each one spline; pieces that meet end to end close into loops"),
        key("material_points", material_points(), required, "", "points that carry the state of the material"),
@@ -175,14 +165,45 @@ Object quasi_static_case() {
            "every "
            "piece has method `grid`; 0 for `bilinear` and `linear`, but 1e-3 and 1e-2 where a piece uses `nitsche`"),
        constants(),
-       key("exact", exact(), optional, "",
+       key("exact", exact(false), optional, "",
            "exact solution as functions of the original position and t; with it, errors are computed"),
        key("probes", list(probe(), 1, 100000), optional, "",
            "history of the material point or tracking point nearest to a place, saved at every step"),
        settings("tracking", tracking(), "how tracking points are kept"),
        settings("solver", solver(), "how systems are solved"),
        settings("diagnostics", diagnostics(), "measured only where asked for"),
-       settings("output", output(true), "what is written")},
+       settings("output", output_of_load_steps(), "what is written")},
+      {}};
+}
+
+Schema history() {
+  return {Object{{key("every", {Integer{1, 100000000}}, otherwise(1), "", "steps from one record to the next")}, {}}};
+}
+
+Object dynamic_case() {
+  const Schema field = several(2, {Formula{}});
+  return {
+      {title(), key("analysis", analysis(), required, "", "what is computed"),
+       key("material", large_strain_material(), required, "", "the law of the material"),
+       key("grid", grid(), required, "", "the background grid and its basis"),
+       boundaries(optional,
+                  "pieces of the outline, each one spline; pieces that meet end to end close into loops; listed points "
+                  "may do without",
+                  true),
+       key("material_points", material_points(), required, "", "points that carry the state of the material"),
+       key("body_force", field, optional, "N/m³", "force per current volume, x and y"),
+       key("gravity", field, optional, "m/s²",
+           "acceleration, x and y: numbers, or formulas, of which a point takes the value at its place"),
+       key("initial_velocity", field, optional, "m/s", "velocity at t = 0, x and y; default: at rest"), constants(),
+       key("exact", exact(true), optional, "",
+           "exact solution as functions of the original position and t; with it, errors are computed at the end, and "
+           "over time with `history`"),
+       key("history", history(), optional, "",
+           "energies and momentum over time, and how often probes are recorded; without it, probes are at every step"),
+       key("probes", list(probe(), 1, 100000), optional, "",
+           "history of the material point or tracking point nearest to a place"),
+       settings("solver", solver(), "how systems are solved"),
+       settings("output", output_of_time_steps(), "what is written")},
       {}};
 }
 
@@ -194,15 +215,17 @@ Object projection_case() {
                "points whose values are projected, with their volumes as weights; without them, the projection "
                "integrates over all cells"),
            constants(), settings("solver", solver(), "how systems are solved"),
-           settings("output", output(false), "what is written")},
+           settings("output", output_of_projection(), "what is written")},
           {}};
 }
 
 }  // namespace
 
 const Schema& case_keys() {
-  static const Schema table{
-      Depending{"analysis", {{"quasi_static", quasi_static_case()}, {"projection", projection_case()}}}};
+  static const Schema table{Depending{"analysis",
+                                      {{"quasi_static", quasi_static_case()},
+                                       {"explicit_dynamics", dynamic_case()},
+                                       {"projection", projection_case()}}}};
   return table;
 }
 

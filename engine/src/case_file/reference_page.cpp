@@ -49,20 +49,29 @@ std::string presence(const Key& key, const Object& object) {
   return key.fallback.is_null() || key.fallback.empty() ? "–" : fmt::format("`{}`", key.fallback.dump());
 }
 
+std::string table_of(const Section& section) {
+  std::string table = "\n\n| key | value | unit | default | meaning |\n| --- | --- | --- | --- | --- |\n";
+  for (const Key& key : section.object->keys)
+    table += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.name, in_words(key.schema), key.unit,
+                         presence(key, *section.object), key.meaning);
+  return table;
+}
+
 /// A heading, the keys, and every object below them; each once.
-void print(const Section& section, std::string& page) {
+/// @param analysis  that has these keys: said where another has other keys under the same heading
+void print(const Section& section, const std::string& analysis, std::string& page) {
   const std::string of = section.path.empty() ? "The case" : "`" + section.path + "`";
   const std::string with = section.condition.empty() ? "" : " with " + section.condition;
-  const std::string heading = "\n## " + of + with + "\n\n| key |";
-  if (page.find(heading) != std::string::npos) return;
-  page += heading + " value | unit | default | meaning |\n| --- | --- | --- | --- | --- |\n";
-  for (const Key& key : section.object->keys)
-    page += fmt::format("| `{}` | {} | {} | {} | {} |\n", key.name, in_words(key.schema), key.unit,
-                        presence(key, *section.object), key.meaning);
+  const std::string table = table_of(section);
+  std::string heading = "\n## " + of + with;
+  if (page.find(heading + table) != std::string::npos) return;
+  if (page.find(heading + "\n") != std::string::npos) heading += ", where " + analysis;
+  if (page.find(heading + table) != std::string::npos) return;
+  page += heading + table;
   for (const Key& key : section.object->keys) {
     std::vector<Section> below;
     collect(key.schema, section.path.empty() ? key.name : section.path + "." + key.name, below);
-    for (const Section& inner : below) print(inner, page);
+    for (const Section& inner : below) print(inner, analysis, page);
   }
 }
 
@@ -72,7 +81,7 @@ std::string reference_page(const Schema& schema) {
   std::vector<Section> top;
   collect(schema, "", top);
   std::string page;
-  for (const Section& section : top) print(section, page);
+  for (const Section& section : top) print(section, section.condition, page);
   return page;
 }
 

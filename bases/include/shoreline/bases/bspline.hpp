@@ -25,6 +25,7 @@ class BSplineBasis final : public Basis {
   [[nodiscard]] ShortIndices functions_of(Index cell) const override;
   [[nodiscard]] Vec2 control_point(Index function) const override;
   void evaluate(Index cell, std::span<const Vec2> x, double* value, double* gradient) const override;
+  void evaluate(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const override;
   [[nodiscard]] ShortCurvatures curvatures(Index cell, const Vec2& x) const override;
 
  private:
@@ -32,8 +33,10 @@ class BSplineBasis final : public Basis {
   using SpanPolynomials = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 4, 4>;
 
   static std::vector<SpanPolynomials> all_spans(Index spans, int degree);
-  template <int P>
-  void evaluate_degree(Index cell, std::span<const Vec2> x, double* value, double* gradient) const;
+  template <int P, class Point, class Number>
+  void evaluate_degree(Index cell, std::span<const Point> x, Number* value, Number* gradient) const;
+  template <class Point, class Number>
+  void evaluate_all(Index cell, std::span<const Point> x, Number* value, Number* gradient) const;
 
   QuadrilateralGrid grid_;
   int degree_;

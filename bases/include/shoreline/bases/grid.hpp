@@ -2,6 +2,7 @@
 // The background grid: cells that tile a part of the plane. It knows nothing of functions, nor of the body.
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "shoreline/bases/types.hpp"
@@ -50,6 +51,11 @@ class Grid {
   /// does not depend on the hint.
   /// @param hint  a cell near x (the one that held the point before), or 0
   [[nodiscard]] virtual std::optional<Index> locate(const Vec2& x, Index hint) const = 0;
+
+  /// The cells that hold places near one cell, −1 for none.
+  /// @param x     (m) [m]
+  /// @param cell  (m)
+  virtual void locate_all(std::span<const Vec2> x, Index hint, Index* cell) const;
 
   /// Vertices of a cell, counter-clockwise [m].
   [[nodiscard]] virtual std::vector<Vec2> polygon(Index cell) const = 0;

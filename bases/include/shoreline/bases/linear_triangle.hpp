@@ -20,9 +20,13 @@ class LinearTriangleBasis final : public Basis {
   [[nodiscard]] ShortIndices functions_of(Index cell) const override;
   [[nodiscard]] Vec2 control_point(Index function) const override;
   void evaluate(Index cell, std::span<const Vec2> x, double* value, double* gradient) const override;
+  void evaluate(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const override;
   [[nodiscard]] ShortCurvatures curvatures(Index cell, const Vec2& x) const override;
 
  private:
+  template <class Point, class Number>
+  void evaluate_all(Index cell, std::span<const Point> x, Number* value, Number* gradient) const;
+
   TriangleGrid grid_;
 };
 

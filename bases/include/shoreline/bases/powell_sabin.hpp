@@ -27,6 +27,7 @@ class PowellSabinBasis final : public Basis {
   [[nodiscard]] ShortIndices functions_of(Index cell) const override;
   [[nodiscard]] Vec2 control_point(Index function) const override;
   void evaluate(Index cell, std::span<const Vec2> x, double* value, double* gradient) const override;
+  void evaluate(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const override;
   [[nodiscard]] ShortCurvatures curvatures(Index cell, const Vec2& x) const override;
 
  private:
@@ -42,6 +43,8 @@ class PowellSabinBasis final : public Basis {
     Eigen::Matrix<double, 3, 6> ordinate;  ///< (q; α_i, L_i, L̃_i, λ_j L_j, L̃_j, a_k L̃_k), (S.8)
     std::array<Index, 3> vertex;           ///< i, j, k
   };
+  template <class Point, class Number>
+  void evaluate_all(Index cell, std::span<const Point> x, Number* value, Number* gradient) const;
   [[nodiscard]] Piece make_piece(const TriangleMesh& main, Index cell) const;
 
   TriangleGrid grid_;

@@ -20,6 +20,7 @@ class TriangleGrid final : public Grid {
   [[nodiscard]] int parts() const override { return static_cast<int>(parts_); }
   [[nodiscard]] Box bounds() const override { return bounds_; }
   [[nodiscard]] std::optional<Index> locate(const Vec2& x, Index hint) const override;
+  void locate_all(std::span<const Vec2> x, Index hint, Index* cell) const override;
   [[nodiscard]] std::vector<Vec2> polygon(Index cell) const override;
   /// √(2 · area) of the main triangle [m].
   [[nodiscard]] double size(Index cell) const override { return size_[static_cast<std::size_t>(cell / parts_)]; }
@@ -39,6 +40,8 @@ class TriangleGrid final : public Grid {
   };
   void number_lines();
   void sort_into_bins();
+  /// Twice the area with a side below which a hint must not decide: so near to an edge [m²].
+  [[nodiscard]] double clear(Index cell) const { return 1e-12 * size(cell) * size(cell); }
   [[nodiscard]] std::array<Index, 4> bins_of(const Box& box) const;
 
   TriangleMesh mesh_;

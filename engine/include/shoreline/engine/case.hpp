@@ -34,6 +34,25 @@ struct Projection {
   bool at_points = false;  ///< weights are the volumes of the case's material points; else integrals over all cells
 };
 
+/// The form of the mass matrix, (Y.5)–(Y.7).
+enum class MassForm { consistent, lumped, partly_lumped };
+
+/// As a case names it.
+[[nodiscard]] constexpr const char* name_of(MassForm mass) {
+  return mass == MassForm::consistent ? "consistent" : mass == MassForm::lumped ? "lumped" : "partly_lumped";
+}
+
+/// Time steps by explicit dynamics.
+struct ExplicitDynamics {
+  std::optional<double> time_step{};  ///< [s]; none: a share of the critical step, found anew as it changes
+  double safety = 0.7;                ///< that share
+  double end_time = 0.0;              ///< [s]
+  MassForm mass = MassForm::lumped;
+  double pic = 0.0;           ///< share of the projected velocity in that of a point: 0 is flip, 1 is pic
+  double damping = 0.0;       ///< α of local damping, (Y.12)
+  bool drop_outside = false;  ///< points that leave the grid are dropped; else they end the run
+};
+
 struct Case {
   /// @name Conditions as a case states them; scene.hpp turns them into boundary conditions.
   ///@{
@@ -68,7 +87,9 @@ struct Case {
     TrianglePattern pattern = TrianglePattern::diagonal;  ///< how triangle bases cut the rectangles
     std::shared_ptr<const TriangleMesh> mesh{};           ///< triangles instead of cut rectangles
   };
+  enum class Law { linear_elastic, linear_large, neo_hookean, hypoelastic };
   struct Material {
+    Law law = Law::linear_elastic;
     double youngs_modulus = 0.0;  ///< [Pa]
     double poissons_ratio = 0.0;
     std::optional<double> density;  ///< [kg/m³]
@@ -84,28 +105,34 @@ struct Case {
     std::array<Expression, 2> displacement;  ///< [m]
     std::array<Expression, 3> stress;        ///< xx, yy, xy [Pa]
   };
-  using Exact = std::variant<ThickCylinder, PlateWithHole, ExactExpressions>;
+  using Exact = std::variant<ThickCylinder, PlateWithHole, SelfWeightColumn, ExactExpressions>;
   /// Asks for the history of the material point or tracking point that is nearest to a place at the start.
   struct Probe {
     std::string name;
     Vec2 position;  ///< [m]
   };
   struct Output {
-    int every = 1;  ///< steps between saved ones; the last is always saved
+    int every = 1;  ///< steps between saved ones, the last is always saved; 0: every fiftieth of the time in dynamics
     bool pictures = true;
   };
 
   std::filesystem::path file;
   std::string title;
   Plane plane = Plane::strain;
-  std::variant<QuasiStatic, Projection> analysis;
+  std::variant<QuasiStatic, Projection, ExplicitDynamics> analysis;
   Material material;
   Grid grid;
   std::vector<Boundary> boundaries;
   MaterialPoints material_points;
   std::optional<std::array<Quantity, 2>> body_force;  ///< [N/m³]
   std::optional<Vec2> gravity;                        ///< [m/s²]
-  double ghost = 0.0;                                 ///< γ of the ghost penalty; 0: none is built
+  /// @name Dynamics alone.
+  ///@{
+  std::optional<std::array<Expression, 2>> gravity_field;     ///< gravity as formulas, instead of numbers [m/s²]
+  std::optional<std::array<Expression, 2>> initial_velocity;  ///< [m/s]
+  std::optional<int> history;  ///< steps from one record of energies, momentum and probes to the next
+  ///@}
+  double ghost = 0.0;  ///< γ of the ghost penalty; 0: none is built
   std::optional<Exact> exact;
   std::vector<Probe> probes;
   double respacing = 0.0;  ///< tracking points are re-spaced where chords differ by more than this factor; 0: never

@@ -26,6 +26,13 @@ struct PlateWithHole {
   double far_field_stress;  ///< S [Pa]
 };
 
+/// A column of height H on a fixed base, between smooth walls, onto which gravity is let at t = 0.
+struct SelfWeightColumn {
+  double height;   ///< H > 0 [m]; the base lies at y = 0
+  double density;  ///< ρ at the start [kg/m³]
+  double gravity;  ///< g, downward [m/s²]
+};
+
 /// The constants that exact solutions depend on.
 struct ElasticConstants {
   double youngs_modulus;  ///< E [Pa]
@@ -43,5 +50,9 @@ struct ElasticConstants {
 /// @throws InvalidArgument if not a > 0
 [[nodiscard]] ExactSolution exact_solution(const PlateWithHole& problem, const ElasticConstants& material,
                                            std::function<double(double)> factor);
+
+/// The vibration of the column with σ = λ tr(E) I + 2μ E, at any amplitude, (X.3); u_x = 0.
+/// @throws InvalidArgument if not H > 0
+[[nodiscard]] ExactSolution exact_solution(const SelfWeightColumn& problem, const ElasticConstants& material);
 
 }  // namespace shoreline

@@ -29,6 +29,7 @@ struct Probe {
   std::optional<std::size_t> piece;  ///< whose tracking point it is; none: a material point
   std::size_t point;                 ///< number of the material point, or of the tracking point on its piece
   std::vector<ProbeState> history;   ///< from the start on, one a step; all hold the same fields
+  bool lost = false;                 ///< its material point was dropped: it stays where it was last
 };
 
 /// The probes of a case at the start: each the nearest of all material points and tracking points.

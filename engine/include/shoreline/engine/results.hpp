@@ -118,7 +118,7 @@ struct Summary {
     double critical_step_at_start = 0.0;  ///< [s]
     double smallest_critical_step = 0.0;  ///< [s]
     double time_of_smallest = 0.0;        ///< when the critical step was smallest [s]
-    double courant = 0.0;                 ///< largest ratio of a step to the critical step then
+    double courant = 0.0;                 ///< Δt √((λ+2μ)/ρ)/h at the start, h the smallest cell
     Index dropped_points = 0;             ///< material points that left the grid
   };
   std::optional<Dynamics> dynamics;
