@@ -1,0 +1,54 @@
+#include "bounds.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+#include "multiply_adds.hpp"
+
+namespace shoreline::bench {
+namespace {
+
+/// The least of the seconds that some work takes, after one time that is not counted.
+template <class Work>
+double seconds(int repetitions, Work&& work) {
+  work();
+  double least = std::numeric_limits<double>::infinity();
+  for (int r = 0; r < repetitions; ++r) {
+    const double start = omp_get_wtime();
+    work();
+    least = std::min(least, omp_get_wtime() - start);
+  }
+  return least;
+}
+
+}  // namespace
+
+double scalar_operations(int threads, int repetitions) {
+  constexpr long count = 4'000'000;
+  double sum = 0.0;
+  const double taken = seconds(repetitions, [&] {
+#pragma omp parallel num_threads(threads) reduction(+ : sum)
+    sum += multiply_adds(count, 0.999, 1e-3);
+  });
+  return sum > 0.0 ? 2.0 * chains * static_cast<double>(count) * threads / taken : 0.0;
+}
+
+double triad_bandwidth(int threads, int repetitions) {
+  constexpr long entries = 24'000'000;
+  constexpr double bytes = 32.0;
+  const auto a = std::make_unique_for_overwrite<double[]>(entries);
+  const auto b = std::make_unique_for_overwrite<double[]>(entries);
+  const auto c = std::make_unique_for_overwrite<double[]>(entries);
+#pragma omp parallel for num_threads(threads) schedule(static)
+  for (long i = 0; i < entries; ++i) b[i] = c[i] = 1.0;  // each thread touches first what it works on
+  const double taken = seconds(repetitions, [&] {
+#pragma omp parallel for num_threads(threads) schedule(static)
+    for (long i = 0; i < entries; ++i) a[i] = b[i] + 3.0 * c[i];
+  });
+  return bytes * static_cast<double>(entries) / taken;
+}
+
+}  // namespace shoreline::bench
