@@ -1,10 +1,8 @@
-"""What the tables.py of dynamic examples share: a reference in one dimension, and histories out of results.h5.
+"""What the tables.py of dynamic examples share: a reference in one dimension, and what lies in results.h5.
 
 In uniaxial strain the first Piola-Kirchhoff stress is the Cauchy stress, P = sigma(D) with D = 1 + du/dX, for every law:
-rho u_tt = dP/dX + b is solved by central differences on a fine grid, with poisson's ratio 0.
+rho u_tt = dP/dX + b is solved by central differences on a fine grid, with Poisson's ratio 0.
 """
-import json
-
 try:
     import numpy as np
     import h5py
@@ -56,11 +54,6 @@ def probe(folder, name):
         return {key: file[f"probes/{name}/{key}"][:] for key in file[f"probes/{name}"]}
 
 
-def history(folder):
-    with h5py.File(f"{folder}/results.h5") as file:
-        return {key: file[f"history/{key}"][:] for key in file["history"]}
-
-
 def last_step(folder):
     """Original positions, displacements and stresses of the points at the last saved step."""
     with h5py.File(f"{folder}/results.h5") as file:
@@ -79,7 +72,3 @@ def axes_of(rows, columns, size):
     import matplotlib.pyplot as plt
 
     return plt.subplots(rows, columns, figsize=size, constrained_layout=True)
-
-
-def case_of(file):
-    return json.loads(file.read_text())

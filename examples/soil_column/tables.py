@@ -118,7 +118,7 @@ if figure:
     axes[1].plot(stress[-1] / 1e3, (x[1:] + x[:-1]) / 2, "k--", linewidth=0.9, label="reference in one dimension")
     axes[0].set(xlabel="t [s]", ylabel="velocity at mid-height [m/s]", ylim=(-0.8, 1.3), title="1 x 8 blocks")
     axes[1].set(xlabel="σ_yy [kPa]", ylabel="original height [m]", title="stress at t = 2.5 s")
-    for axis in axes:
-        axis.legend(fontsize=7, loc="upper right")
+    for axis, corner in zip(axes, ("upper right", "upper left")):
+        axis.legend(fontsize=7, loc=corner)
         axis.grid(alpha=0.3)
     figure.savefig(HERE / "mass.png", dpi=110)
