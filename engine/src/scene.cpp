@@ -95,6 +95,7 @@ Scene scene_of_body(const Case& problem, const LoadFactor& factor) {
   scene.basis = std::move(body.basis);
   scene.loops = std::move(body.loops);
   scene.points = std::move(body.points);
+  scene.fitted = problem.fitted;
   if (problem.exact) scene.exact = to_solution(problem, factor);
   for (std::size_t k = 0; k < body.curves.size(); ++k) {
     const auto original = std::make_shared<SplineCurve>(body.curves[k]);

@@ -182,8 +182,10 @@ Case case_of(const Node& root, const std::filesystem::path& file) {
   if (root.has("boundaries"))
     problem.boundaries =
         read_boundaries(root["boundaries"], {constants, root.has("exact"), nitsche_band(problem.grid.basis)});
-  if (root.has("material_points"))
+  if (root.has("material_points")) {
     problem.material_points = read_material_points(root["material_points"], problem.grid);
+    problem.fitted = root["material_points"]["volumes"].is("fitted");
+  }
   if (root["analysis"]["type"].is("projection"))
     problem.analysis = read_projection(root, constants);
   else if (root["analysis"]["type"].is("explicit_dynamics"))

@@ -24,10 +24,11 @@ Schema material_points() {
            "sub-cells in each direction of a rectangle of the grid, however triangles cut it; not on a mesh"),
        key("across", several(2, {Integer{1, 1000000}}), optional, "",
            "sub-cells from side to side of the body's bounding box in x and y, whatever the grid"),
-       volumes({"clipped", "lattice", "equal"},
+       volumes({"clipped", "lattice", "equal", "fitted"},
                "`clipped`: a point at the centroid of each sub-cell's part inside the outline, "
                "with its area; `lattice`: at its centre, with the whole sub-cell; `equal`: there, "
-               "each with the same share of the body")},
+               "each with the same share of the body; `fitted`: as `clipped`, with weights that are fitted to the "
+               "outline at every step")},
       {"per_cell", "per_block", "across"}};
   const Object vertex{
       {per_cell, key("across", layers, optional, "", "points from side to side in x and y, both outer layers included"),
@@ -48,9 +49,9 @@ Schema material_points() {
            "others"),
        key("seed", {Integer{0, std::numeric_limits<int>::max()}}, otherwise(RandomFill{}.seed), "",
            "other seeds give other points; the same one gives the same on every machine"),
-       key("volumes", {Choice{{"voronoi", "equal"}}}, otherwise("voronoi"), "",
+       key("volumes", {Choice{{"voronoi", "equal", "fitted"}}}, otherwise("voronoi"), "",
            "`voronoi`: the part of the body that is nearer to a point than to all others; `equal`: the same share of "
-           "the body for each")},
+           "the body for each; `fitted`: as `voronoi`, with weights that are fitted to the outline at every step")},
       {}};
   const Tagged fills{
       {{"lattice", lattice}, {"vertex", vertex}, {"polar", polar}, {"random", random}}, "fill", "lattice"};

@@ -124,6 +124,7 @@ struct Case {
   Grid grid;
   std::vector<Boundary> boundaries;
   MaterialPoints material_points;
+  bool fitted = false;                                ///< the points' weights are fitted to the outline at every step
   std::optional<std::array<Quantity, 2>> body_force;  ///< [N/m³]
   std::optional<Vec2> gravity;                        ///< [m/s²]
   /// @name Dynamics alone.

@@ -28,6 +28,7 @@ struct Scene {
   std::unique_ptr<const Basis> basis;
   std::shared_ptr<const Material> material;
   MaterialPoints points;
+  bool fitted = false;  ///< their weights are fitted to the outline at every step
   std::vector<BoundaryPiece> boundary;
   std::vector<std::vector<int>> loops;  ///< pieces in order, joined end to start
   std::vector<std::unique_ptr<Contribution>> contributions;
