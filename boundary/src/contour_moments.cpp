@@ -7,12 +7,14 @@
 namespace shoreline {
 
 Moments along_curve(const CubicSpan& curve, const Vec2& centre) {
-  static const QuadratureRule rule = gauss(5);  // degree 8
+  static const QuadratureRule rule = gauss(6);  // degree 11
   Moments sum = Moments::Zero();
   for (Eigen::Index q = 0; q < rule.point.size(); ++q) {
     const Vec2 x = curve.position(rule.point[q]) - centre;
     const double turned = rule.weight[q] * cross(x, curve.derivative(rule.point[q]));
-    sum += turned * Moments(1.0 / 2.0, x.x() / 3.0, x.y() / 3.0);
+    Moments part;
+    part << 1.0 / 2.0, x.x() / 3.0, x.y() / 3.0, x.x() * x.x() / 4.0, x.x() * x.y() / 4.0, x.y() * x.y() / 4.0;
+    sum += turned * part;
   }
   return sum;
 }

@@ -10,12 +10,16 @@
 
 namespace shoreline {
 
-using Moments = Vec3;                   ///< ∫ {1, ξ, η} dA
+using Moments = Eigen::Vector<double, 6>;  ///< ∫ {1, ξ, η, ξ², ξη, η²} dA
 using Corners = std::span<const Vec2>;  ///< of a convex cell, counter-clockwise, no two equal [m]
 
 /// What the straight line from a to b adds, (R.4).
 [[nodiscard]] inline Moments along_line(const Vec2& a, const Vec2& b) {
-  return cross(a, b) * Moments(0.5, (a.x() + b.x()) / 6.0, (a.y() + b.y()) / 6.0);
+  const Vec2 c = a + b;  // ∫ x² along the line is (a² + b² + c²)/6
+  Moments sum;
+  sum << 0.5, c.x() / 6.0, c.y() / 6.0, (a.x() * a.x() + b.x() * b.x() + c.x() * c.x()) / 24.0,
+      (a.x() * a.y() + b.x() * b.y() + c.x() * c.y()) / 24.0, (a.y() * a.y() + b.y() * b.y() + c.y() * c.y()) / 24.0;
+  return cross(a, b) * sum;
 }
 
 /// What a curve adds, (R.4), in coordinates about @p centre.

@@ -105,22 +105,33 @@ Moments closed(const Run& run, const Triangle& p, const Vec2& centre) {
   return along_curve(run.curve, centre) + border(run.curve.control[0]) - border(run.curve.control[3]);
 }
 
+/// Moments of a whole triangle about its centroid.
+Moments whole_triangle(const Triangle& p) {
+  return along_line(p[0], p[1]) + along_line(p[1], p[2]) + along_line(p[2], p[0]);
+}
+
+/// A triangle about its centroid.
+Triangle centred(const Triangle& p) {
+  const Vec2 centre = centroid(p);
+  return {p[0] - centre, p[1] - centre, p[2] - centre};
+}
+
 /// Moments of T ∩ Ω from all runs in T.
 Moments covered(const Triangle& corners, std::span<const Run> runs, const Region& region) {
   const Vec2 centre = centroid(corners);
-  const Triangle p{corners[0] - centre, corners[1] - centre, corners[2] - centre};
-  const double whole = area_of(corners);
+  const Triangle p = centred(corners);
+  const Moments whole = whole_triangle(p);
   Moments inside = Moments::Zero();
   Moments beside = Moments::Zero();
   for (const Run& run : runs) {
     const Moments found = closed(run, p, centre);
     if (run.outside)
-      beside += found - Moments(whole * std::round(found[0] / whole), 0.0, 0.0);
+      beside += found - whole * std::round(found[0] / whole[0]);
     else
       inside += found;
   }
-  const double missing = missing_wholes(inside[0] / whole, [&] { return region.contains(centre); });
-  return inside + beside + Moments(whole * missing, 0.0, 0.0);
+  const double missing = missing_wholes(inside[0] / whole[0], [&] { return region.contains(centre); });
+  return inside + beside + whole * missing;
 }
 
 }  // namespace
@@ -158,13 +169,13 @@ TriangleMoments triangle_moments(std::span<const SplineCurve> curves, const Tria
       const auto first = run;
       while (run != runs.end() && run->sub_cell == number) ++run;
       const Triangle p = sub_cell(grid, divisions, number);
-      const Moments found = met ? covered(p, {first, run}, region) : Moments(area_of(p), 0.0, 0.0);
+      const Moments found = met ? covered(p, {first, run}, region) : whole_triangle(centred(p));
       if (found[0] <= least * area_of(p)) continue;
       numbers.push_back(number);
       moments.push_back(found);
     }
   }
-  TriangleMoments result{std::move(numbers), Eigen::Matrix3Xd(3, static_cast<Eigen::Index>(moments.size()))};
+  TriangleMoments result{std::move(numbers), {6, static_cast<Eigen::Index>(moments.size())}};
   for (std::size_t k = 0; k < moments.size(); ++k) result.moment.col(static_cast<Eigen::Index>(k)) = moments[k];
   return result;
 }

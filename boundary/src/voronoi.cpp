@@ -128,7 +128,7 @@ class Cover {
       met = true;
       runs += closed_runs(spans_[k], corners, lines, site);
     });
-    const Vec2 centroid = site + whole.tail<2>() / whole[0];
+    const Vec2 centroid = site + whole.segment<2>(1) / whole[0];
     const auto centre_inside = [&] { return region_.contains(centroid); };
     if (!met) return centre_inside() ? whole[0] : 0.0;
     return runs + whole[0] * missing_wholes(runs / whole[0], centre_inside);

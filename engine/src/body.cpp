@@ -77,12 +77,16 @@ MaterialPoints on_cells(const Grid& grid, Fill&& fill) {
 }
 
 /// The points that a case asks for, in any order.
-MaterialPoints points_of(const Case& problem, const std::vector<SplineCurve>& curves, const Grid& grid,
+MaterialPoints points_of(const Case& problem, const std::vector<SplineCurve>& curves, const Basis& basis,
                          const Region* body) {
+  const Grid& grid = basis.grid();
   using Listed = std::vector<Case::ListedPoint>;
   return std::visit(
       Overloaded{[&](const LatticeFill& f) {
-                   return on_cells(grid, [&](const auto& cells) { return fill_lattice(curves, cells, f); });
+                   return on_cells(grid, [&](const auto& cells) {
+                     return f.volumes == VolumeRule::fitted ? fill_fitted(curves, cells, f.per_cell, basis.degree())
+                                                            : fill_lattice(curves, cells, f);
+                   });
                  },
                  [&](const BlockFill& f) {
                    if (problem.grid.mesh)
@@ -106,18 +110,17 @@ MaterialPoints points_of(const Case& problem, const std::vector<SplineCurve>& cu
 }
 
 MaterialPoints fill(const Case& problem, const std::vector<SplineCurve>& curves, const Basis& basis) {
-  const Grid& grid = basis.grid();
   const std::string file = problem.file.string();
   using Listed = std::vector<Case::ListedPoint>;
   if (curves.empty() && !std::holds_alternative<Listed>(problem.material_points))
     throw CaseError(file, "/material_points", "a fill needs an outline, and /boundaries is empty");
   try {
     const std::optional<Region> body = curves.empty() ? std::nullopt : std::optional<Region>(std::in_place, curves);
-    MaterialPoints points = points_of(problem, curves, grid, body ? &*body : nullptr);
+    MaterialPoints points = points_of(problem, curves, basis, body ? &*body : nullptr);
     if (points.size() == 0) throw InvalidArgument("no material point lies in the body; use more points per cell");
     const bool unmarked = std::holds_alternative<VertexFill>(problem.material_points) ||
                           std::holds_alternative<Listed>(problem.material_points);
-    if (unmarked && body) mark_outline(*body, on_outline * grid.size(0), points);
+    if (unmarked && body) mark_outline(*body, on_outline * basis.grid().size(0), points);
     sort_by_cell(basis, points);
     return points;
   } catch (const InvalidArgument& error) {

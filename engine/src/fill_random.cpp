@@ -40,7 +40,7 @@ std::vector<CoveredCell> covered_cells(std::span<const SplineCurve> curves, cons
   for (std::size_t k = 0; k < covered.sub_cell.size(); ++k) {
     const auto moment = covered.moment.col(static_cast<Eigen::Index>(k));
     const auto [a, b, c] = corners(grid.mesh(), covered.sub_cell[k]);
-    cells.push_back({covered.sub_cell[k], moment[0], (a + b + c) / 3.0 + moment.tail<2>() / moment[0]});
+    cells.push_back({covered.sub_cell[k], moment[0], (a + b + c) / 3.0 + moment.segment<2>(1) / moment[0]});
   }
   return cells;
 }

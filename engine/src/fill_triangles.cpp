@@ -11,14 +11,6 @@
 namespace shoreline {
 namespace {
 
-/// The number of sub-cells along an edge of a cell, k of (V.4).
-int divisions_of(const std::array<int, 2>& per_cell, const TriangleGrid& grid) {
-  if (per_cell[0] != per_cell[1])
-    throw InvalidArgument(fmt::format("per_cell is {} x {}; a triangle is cut alike in all directions: give one number",
-                                      per_cell[0], per_cell[1]));
-  return grid.parts() == 1 ? per_cell[0] : (per_cell[0] + 1) / 2;
-}
-
 /// Points at the centroids of those sub-cells in which these lie inside, with the whole sub-cell.
 MaterialPoints whole_sub_cells(const std::vector<Index>& covered, const TriangleGrid& grid, int divisions,
                                const Region& region) {
@@ -37,6 +29,13 @@ MaterialPoints whole_sub_cells(const std::vector<Index>& covered, const Triangle
 
 }  // namespace
 
+int divisions_of(const std::array<int, 2>& per_cell, const TriangleGrid& grid) {
+  if (per_cell[0] != per_cell[1])
+    throw InvalidArgument(fmt::format("per_cell is {} x {}; a triangle is cut alike in all directions: give one number",
+                                      per_cell[0], per_cell[1]));
+  return grid.parts() == 1 ? per_cell[0] : (per_cell[0] + 1) / 2;
+}
+
 MaterialPoints fill_lattice(std::span<const SplineCurve> curves, const TriangleGrid& grid, const LatticeFill& fill) {
   const int divisions = divisions_of(fill.per_cell, grid);
   const TriangleMoments covered = triangle_moments(curves, grid, divisions);
@@ -47,7 +46,7 @@ MaterialPoints fill_lattice(std::span<const SplineCurve> curves, const TriangleG
     for (Eigen::Index k = 0; k < position.cols(); ++k) {
       const auto [a, b, c] = sub_cell(grid, divisions, covered.sub_cell[static_cast<std::size_t>(k)]);
       const auto moment = covered.moment.col(k);
-      position.col(k) = (a + b + c) / 3.0 + moment.tail<2>() / moment[0];
+      position.col(k) = (a + b + c) / 3.0 + moment.segment<2>(1) / moment[0];
     }
     return points_at(std::move(position), covered.moment.row(0));
   }

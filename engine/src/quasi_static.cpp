@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "body_boundary.hpp"
+#include "fitted_volumes.hpp"
 #include "motion_check.hpp"
 #include "prescribed.hpp"
 #include "respace_pieces.hpp"
@@ -18,6 +19,7 @@ constexpr int points_per_segment = 4;  ///< Gauss points along the edge: exact t
 /// Keeps between the steps what outlives one.
 struct Workspace {
   PointSupports supports;
+  FittedVolumes weights;
   StepSystem system;
   std::map<std::string, Vec3> grid_reactions;  ///< by piece with method grid
 };
@@ -80,6 +82,9 @@ void run_step(Scene& scene, int step, const QuasiStaticOptions& options, Workspa
   const PointSupports& supports = work.supports;
   if (step == 1) warn_few_points(*scene.basis, supports, record.warnings);
   const std::vector<Edge> edges = clock.time("boundary", [&] { return make_edges(scene, supports, record); });
+  if (scene.fitted)
+    record.weights =
+        clock.time("weights", [&] { return work.weights.fit(*scene.basis, supports, edges, scene.points); });
   const double t = static_cast<double>(step) / scene.load_steps;
   const double t_before = static_cast<double>(step - 1) / scene.load_steps;
   const Eigen::Matrix2Xd prescribed =

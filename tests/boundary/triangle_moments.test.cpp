@@ -17,6 +17,8 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
+using Vec6 = Eigen::Vector<double, 6>;
+
 std::vector<SplineCurve> fit(const std::vector<Piece>& pieces) {
   std::vector<SplineCurve> curves;
   for (const Piece& piece : pieces) curves.push_back(fit_spline(piece));
@@ -37,14 +39,16 @@ Piece moved(Piece piece, double scale, const Vec2& shift) {
 }
 
 /// ∫ {1, x, y} dA of a region, as 1/(d + 2) ∮ f (x dy − y dx) over its outline.
-Vec3 moments_of(const std::vector<SplineCurve>& curves) {
-  const QuadratureRule rule = gauss(5);
-  Vec3 sum = Vec3::Zero();
+Vec6 moments_of(const std::vector<SplineCurve>& curves) {
+  const QuadratureRule rule = gauss(6);
+  Vec6 sum = Vec6::Zero();
   for (const SplineCurve& curve : curves)
     for (const CubicSpan& span : curve.spans)
       for (Eigen::Index q = 0; q < rule.point.size(); ++q) {
         const Vec2 x = span.position(rule.point[q]);
-        sum += rule.weight[q] * cross(x, span.derivative(rule.point[q])) * Vec3(1.0 / 2.0, x.x() / 3.0, x.y() / 3.0);
+        Vec6 part;
+        part << 1.0 / 2.0, x.x() / 3.0, x.y() / 3.0, x.x() * x.x() / 4.0, x.x() * x.y() / 4.0, x.y() * x.y() / 4.0;
+        sum += rule.weight[q] * cross(x, span.derivative(rule.point[q])) * part;
       }
   return sum;
 }
@@ -52,12 +56,15 @@ Vec3 moments_of(const std::vector<SplineCurve>& curves) {
 Vec2 centroid(const std::array<Vec2, 3>& p) { return (p[0] + p[1] + p[2]) / 3.0; }
 
 /// The sums of all sub-cells, in the coordinates of the curves.
-Vec3 total(const TriangleMoments& moments, const TriangleGrid& grid, int divisions) {
-  Vec3 sum = Vec3::Zero();
+Vec6 total(const TriangleMoments& moments, const TriangleGrid& grid, int divisions) {
+  Vec6 sum = Vec6::Zero();
   for (std::size_t k = 0; k < moments.sub_cell.size(); ++k) {
-    const Vec3 m = moments.moment.col(static_cast<Eigen::Index>(k));
+    const Vec6 m = moments.moment.col(static_cast<Eigen::Index>(k));
     const Vec2 c = centroid(sub_cell(grid, divisions, moments.sub_cell[k]));
-    sum += Vec3(m[0], m[1] + m[0] * c.x(), m[2] + m[0] * c.y());
+    Vec6 moved;
+    moved << m[0], m[1] + m[0] * c.x(), m[2] + m[0] * c.y(), m[3] + 2.0 * m[1] * c.x() + m[0] * c.x() * c.x(),
+        m[4] + m[1] * c.y() + m[2] * c.x() + m[0] * c.x() * c.y(), m[5] + 2.0 * m[2] * c.y() + m[0] * c.y() * c.y();
+    sum += moved;
   }
   return sum;
 }
@@ -65,19 +72,20 @@ Vec3 total(const TriangleMoments& moments, const TriangleGrid& grid, int divisio
 /// What is wrong with moments; empty if nothing is.
 std::string fault(const std::vector<SplineCurve>& curves, const TriangleGrid& grid, int divisions) {
   const TriangleMoments moments = triangle_moments(curves, grid, divisions);
-  const Vec3 expected = moments_of(curves);
+  const Vec6 expected = moments_of(curves);
   const double extent =
       std::max(1.0, grid.bounds().lower.cwiseAbs().cwiseMax(grid.bounds().upper.cwiseAbs()).maxCoeff());
-  const Vec3 error = total(moments, grid, divisions) - expected;
+  const Vec6 error = total(moments, grid, divisions) - expected;
   if (std::abs(error[0]) > 1e-12 * expected[0]) return "area";
-  if (error.tail<2>().norm() > 1e-12 * expected[0] * extent) return "first moments";
+  if (error.segment<2>(1).norm() > 1e-12 * expected[0] * extent) return "first moments";
+  if (error.tail<3>().norm() > 1e-12 * expected[0] * extent * extent) return "second moments";
   if (std::ranges::adjacent_find(moments.sub_cell, std::greater_equal{}) != moments.sub_cell.end()) return "order";
   for (std::size_t k = 0; k < moments.sub_cell.size(); ++k) {
-    const Vec3 m = moments.moment.col(static_cast<Eigen::Index>(k));
+    const Vec6 m = moments.moment.col(static_cast<Eigen::Index>(k));
     const auto p = sub_cell(grid, divisions, moments.sub_cell[k]);
     if (m[0] > 0.5 * twice_area(p[0], p[1], p[2]) * (1 + 1e-6)) return "more than whole";
     if (m[0] < 1e-6 * twice_area(p[0], p[1], p[2])) continue;  // of a sliver the centroid has fewer digits
-    const Vec2 at = centroid(p) + m.tail<2>() / m[0];
+    const Vec2 at = centroid(p) + m.segment<2>(1) / m[0];
     for (std::size_t i = 0; i < 3; ++i)
       if (twice_area(p[i], p[(i + 1) % 3], at) < -1e-6 * twice_area(p[0], p[1], p[2])) return "centroid outside";
   }
@@ -136,7 +144,7 @@ TEST_CASE("sub-cells tile their cell, each alike and counter-clockwise", "[bound
     }
 }
 
-TEST_CASE("sub-cells sum to area and first moments of random smooth loops", "[boundary][triangle_moments]") {
+TEST_CASE("sub-cells sum to the moments of random smooth loops", "[boundary][triangle_moments]") {
   test::Random random(2);
   test::RandomPieces pieces(2);
   for (int draw = 0; draw < 60; ++draw)
@@ -265,7 +273,7 @@ TEST_CASE("what bulges out of the grid belongs to the cells on its border", "[bo
   body[2] = fit_spline(top);
   for (const TriangleGrid& grid : grids(mesh))
     for (const int divisions : {1, 3}) {
-      const Vec3 expected = moments_of(body);
+      const Vec6 expected = moments_of(body);
       CHECK(expected[0] > 20.0 + 2.0 * rise);
       CHECK((total(triangle_moments(body, grid, divisions), grid, divisions) - expected).norm() < 1e-11);
     }

@@ -170,6 +170,24 @@ TEST_CASE("patch test: Nitsche with ghost penalty is exact and positive definite
   }
 }
 
+TEST_CASE("patch test: weights fitted to the outline serve every basis", "[verification][fitted]") {
+  for (const Space& space : spaces) {
+    test::Random random(20190404);
+    for (int k = 0; k < draws_of(space) / 2; ++k) {
+      const Draw draw = random_draw(random);
+      const Case::Grid grid = grid_of(space, draw.spacing, random);
+      Case problem = patch(grid, draw, roller(EssentialMethod::nitsche, space.band()), space.ghost(), plane_of(k));
+      problem.material_points = LatticeFill{{space.degree + 1, space.degree + 1}, VolumeRule::fitted};
+      problem.fitted = true;
+      const Errors errors = solve(problem, draw);
+      CAPTURE(space.name, k, draw.angle, draw.centre.transpose(), draw.spacing.transpose());
+      CHECK(errors.displacement <= 1e-10);
+      CHECK(errors.stress <= 1e-10);
+      CHECK(errors.definite);
+    }
+  }
+}
+
 TEST_CASE("patch test: the implicit boundary errs by no more than its band, and in proportion to it",
           "[verification]") {
   for (const Space& space : spaces) {

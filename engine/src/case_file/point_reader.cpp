@@ -44,7 +44,7 @@ LatticeFill read_lattice(const Node& node, const Case::Grid& grid) {
   const bool parts = grid.basis == Case::BasisType::powell_sabin;
   check_count(node["per_cell"],
               cells_to_fill(grid) * (parts ? powell_sabin_parts * half * half : 1.0 * per_cell[0] * per_cell[1]));
-  return {per_cell, read_volumes(node["volumes"])};
+  return {per_cell, node["volumes"].is("fitted") ? VolumeRule::fitted : read_volumes(node["volumes"])};
 }
 
 BlockFill read_block(const Node& node, const Case::Grid& grid) {

@@ -18,11 +18,11 @@ namespace shoreline {
 
 /// Moments of the covered part of sub-cells, in coordinates about the centroid of each.
 struct TriangleMoments {
-  std::vector<Index> sub_cell;  ///< of which more than 1e-13 of the area is covered, ascending
-  Eigen::Matrix3Xd moment;      ///< (3, sub-cells): ∫ {1, ξ, η} dA
+  std::vector<Index> sub_cell;                      ///< of which more than 1e-13 of the area is covered, ascending
+  Eigen::Matrix<double, 6, Eigen::Dynamic> moment;  ///< (6, sub-cells): ∫ {1, ξ, η, ξ², ξη, η²} dA
 };
 
-/// ∫_{T ∩ Ω} {1, ξ, η} dA of every covered sub-cell T by Green's theorem on the cubics themselves, (R.4):
+/// ∫_{T ∩ Ω} {1, ξ, η, ξ², ξη, η²} dA of every covered sub-cell T by Green's theorem on the cubics themselves, (R.4):
 ///
 ///     ∫ f dA = 1/(d + 2) ∮ f (ξ dη − η dξ) over the boundary of T ∩ Ω, f of degree d.
 ///

@@ -14,7 +14,8 @@ namespace shoreline {
 enum class VolumeRule {
   lattice,  ///< points keep the whole sub-cell
   clipped,  ///< a point has the part of its sub-cell that the body covers
-  equal     ///< every point has the same share of the body's area
+  equal,    ///< every point has the same share of the body's area
+  fitted    ///< of a lattice: Gauss points in whole cells, more and clipped ones in cut cells; else as clipped
 };
 
 /// Points in the sub-cells of every cell.
@@ -69,6 +70,17 @@ struct RandomFill {
 [[nodiscard]] MaterialPoints fill_lattice(std::span<const SplineCurve> curves, const QuadrilateralGrid& grid,
                                           const LatticeFill& fill);
 
+/// Points for weights that are fitted to the outline, (V.8): per_cell Gauss points in each direction of a rectangle
+/// that the body covers whole, three in such a triangle (its sub-cells' centroids where per_cell makes more than four);
+/// in a cell that the outline cuts the points of `clipped` with at least 2(p + 2) sub-cells in each direction
+/// (triangles: 3).
+///
+/// @param degree  p of the basis
+[[nodiscard]] MaterialPoints fill_fitted(std::span<const SplineCurve> curves, const QuadrilateralGrid& grid,
+                                         const std::array<int, 2>& per_cell, int degree);
+[[nodiscard]] MaterialPoints fill_fitted(std::span<const SplineCurve> curves, const TriangleGrid& grid,
+                                         const std::array<int, 2>& per_cell, int degree);
+
 /// One point in each part of a triangle that the body covers, (V.4). Each cell is cut into k² triangles alike, where k
 /// is per_cell on a main triangle that is one cell, and half of it, rounded up, on each of the six cells of a
 /// Powell-Sabin triangle. The rules mean what they mean for rectangles.
@@ -77,6 +89,10 @@ struct RandomFill {
 /// @throws InvalidArgument with the two numbers if they differ
 [[nodiscard]] MaterialPoints fill_lattice(std::span<const SplineCurve> curves, const TriangleGrid& grid,
                                           const LatticeFill& fill);
+
+/// The number k of sub-cells along an edge of a cell for points per_cell, see fill_lattice.
+/// @throws InvalidArgument with the two numbers if they differ
+[[nodiscard]] int divisions_of(const std::array<int, 2>& per_cell, const TriangleGrid& grid);
 
 /// The same in the sub-cells s of the box that bounds the body, from side to side, (V.5).
 [[nodiscard]] MaterialPoints fill_lattice(std::span<const SplineCurve> curves, const AcrossFill& fill);

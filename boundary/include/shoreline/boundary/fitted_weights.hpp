@@ -1,0 +1,27 @@
+#pragma once
+// Quadrature weights at given points that integrate polynomials exactly over the part of a cell inside the outline.
+
+#include "shoreline/bases/types.hpp"
+
+namespace shoreline {
+
+/// Share of its plain weight below which no fitted one falls: no point gets a negative stiffness.
+inline constexpr double least_weight = 0.05;
+
+/// The weights nearest to plain ones that reproduce the moments of what is covered, (W.1):
+///
+///     min Σ (w_p − v_p)²/v_p  with  Σ w_p ξ_p^a η_p^b = ∫ ξ^a η^b dA, a + b <= k,  and  w_p >= 0.05 v_p,
+///
+/// v the plain weights times the ratio of covered area to their sum. Its multipliers are found by Newton's method,
+/// (W.2). k is the highest order of the moments given for which there are 1.5 points a moment and such weights; for
+/// k = 0 there are always some, v.
+///
+/// @param x        (2, n) places of the points about the centre of the moments [m]; n >= 1
+/// @param size     of the cell [m]
+/// @param moments  ordered (0,0) (1,0) (0,1) (2,0) …; the first, the area, is positive
+/// @param weight   (n) in: the plain weights, positive; out: the fitted ones [m²]
+/// @return k
+int fit_weights(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size,
+                const Eigen::Ref<const Eigen::VectorXd>& moments, Eigen::Ref<Eigen::VectorXd> weight);
+
+}  // namespace shoreline

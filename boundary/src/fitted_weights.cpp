@@ -1,0 +1,137 @@
+#include "shoreline/boundary/fitted_weights.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "shoreline/boundary/body_moments.hpp"
+#include "shoreline/boundary/region.hpp"
+
+namespace shoreline {
+namespace {
+
+constexpr Eigen::Index most = monomials(max_moment_order);
+using Multipliers = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>;
+using Gram = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
+
+constexpr double ridge = 1e-10;  ///< ε of (W.2)
+constexpr double exact = 1e-12;  ///< of the area: what rounding leaves of a moment
+constexpr double met = 1e-9;     ///< of the area: by how much a moment may be missed
+constexpr int most_steps = 25;
+
+/// The highest order for which there are 1.5 points a moment, at most that of the moments given.
+int order_for(Eigen::Index points, Eigen::Index given) {
+  int order = 0;
+  while (monomials(order + 1) <= given && 3 * monomials(order + 1) <= 2 * points) ++order;
+  return order;
+}
+
+/// The monomials at the points, (moments, n).
+Eigen::MatrixXd monomials_at(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size, int order) {
+  Eigen::MatrixXd m(monomials(order), x.cols());
+  for (Eigen::Index p = 0; p < x.cols(); ++p) {
+    const Vec2 at = x.col(p) / size;
+    Eigen::Index k = 0;
+    for (int degree = 0; degree <= order; ++degree)
+      for (int b = 0; b <= degree; ++b) m(k++, p) = std::pow(at.x(), degree - b) * std::pow(at.y(), b);
+  }
+  return m;
+}
+
+/// The problem (W.1) in shares of the covered area. Its rows are polynomials that are orthonormal on the points: what
+/// is asked of them is independent, however thin the covered part is.
+struct Problem {
+  Eigen::MatrixXd row;    ///< (polynomials, n)
+  Multipliers target;     ///< (polynomials)
+  Eigen::VectorXd plain;  ///< (n) v, whose sum is 1
+
+  [[nodiscard]] Eigen::VectorXd growth(const Multipliers& multiplier) const {
+    return Eigen::VectorXd::Ones(plain.size()) + row.transpose() * multiplier;
+  }
+  [[nodiscard]] Eigen::VectorXd weights(const Eigen::VectorXd& growth) const {
+    return plain.cwiseProduct(growth.cwiseMax(least_weight));
+  }
+  [[nodiscard]] Multipliers rest(const Eigen::VectorXd& growth) const { return row * weights(growth) - target; }
+  /// Φ of (W.2), whose gradient is A w − m + ε λ.
+  [[nodiscard]] double merit(const Multipliers& multiplier) const {
+    const Eigen::ArrayXd s = growth(multiplier);
+    const Eigen::ArrayXd above = s.max(least_weight);
+    const Eigen::ArrayXd value = 0.5 * above.square() + least_weight * (s - above);
+    return plain.dot(value.matrix()) - target.dot(multiplier) + 0.5 * ridge * multiplier.squaredNorm();
+  }
+};
+
+/// Monomials that depend on others on these points, to 1e-7, are left out.
+Problem make_problem(const Eigen::MatrixXd& monomial, const Multipliers& moments, const Eigen::VectorXd& plain) {
+  constexpr double dependent = 1e-7;
+  const Eigen::VectorXd root = plain.cwiseSqrt();
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(root.asDiagonal() * monomial.transpose());
+  qr.setThreshold(dependent);
+  const Eigen::Index rank = qr.rank();
+  const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(plain.size(), rank);
+  const Eigen::VectorXd ordered = qr.colsPermutation().transpose() * moments;
+  return {
+      .row = (root.cwiseInverse().asDiagonal() * q).transpose(),
+      .target =
+          qr.matrixR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>().transpose().solve(ordered.head(rank)),
+      .plain = plain};
+}
+
+/// ∫ ξ^a η^b over the covered area, ξ and η in sizes of the cell.
+Multipliers scaled(const Eigen::Ref<const Eigen::VectorXd>& moments, double size, int order) {
+  Multipliers scaled = moments.head(monomials(order)) / moments[0];
+  for (int degree = 0, k = 0; degree <= order; ++degree)
+    for (int b = 0; b <= degree; ++b) scaled[k++] /= std::pow(size, degree);
+  return scaled;
+}
+
+/// One Newton step of (W.2) with as much of it as lowers Φ.
+void advance(const Problem& problem, const Eigen::VectorXd& growth, const Multipliers& gradient,
+             Multipliers& multiplier) {
+  const Eigen::VectorXd free =
+      (growth.array() > least_weight).select(problem.plain, Eigen::VectorXd::Zero(growth.size()));
+  Gram hessian = problem.row * free.asDiagonal() * problem.row.transpose();
+  hessian.diagonal().array() += ridge;
+  const Multipliers step = -hessian.ldlt().solve(gradient);
+  const double before = problem.merit(multiplier);
+  double share = 1.0;
+  while (share > 1e-6 && problem.merit(multiplier + share * step) > before + 1e-4 * share * gradient.dot(step))
+    share *= 0.5;
+  multiplier += share * step;
+}
+
+/// Weights that reproduce all moments given, or none where no weights above the bound do.
+std::optional<Eigen::VectorXd> weights_for(const Eigen::MatrixXd& monomial, const Multipliers& moments,
+                                           const Eigen::VectorXd& plain) {
+  if ((monomial * plain - moments).cwiseAbs().maxCoeff() <= exact) return plain;
+  const Problem problem = make_problem(monomial, moments, plain);
+  Multipliers multiplier = Multipliers::Zero(problem.target.size());
+  for (int k = 0; k < most_steps; ++k) {
+    const Eigen::VectorXd growth = problem.growth(multiplier);
+    const Multipliers rest = problem.rest(growth);
+    if (rest.cwiseAbs().maxCoeff() <= met) return problem.weights(growth);
+    advance(problem, growth, rest + ridge * multiplier, multiplier);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+int fit_weights(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size,
+                const Eigen::Ref<const Eigen::VectorXd>& moments, Eigen::Ref<Eigen::VectorXd> weight) {
+  const Eigen::VectorXd plain = weight / weight.sum();
+  int order = order_for(x.cols(), moments.size());
+  const Eigen::MatrixXd monomial = monomials_at(x, size, order);
+  const Multipliers target = scaled(moments, size, order);
+  for (; order > 0; --order)
+    if (const auto fitted = weights_for(monomial.topRows(monomials(order)), target.head(monomials(order)), plain)) {
+      weight = moments[0] * *fitted;
+      return order;
+    }
+  weight = moments[0] * plain;
+  return 0;
+}
+
+}  // namespace shoreline
