@@ -11,7 +11,7 @@
 namespace shoreline {
 
 using Moments = Eigen::Vector<double, 6>;  ///< ∫ {1, ξ, η, ξ², ξη, η²} dA
-using Corners = std::span<const Vec2>;  ///< of a convex cell, counter-clockwise, no two equal [m]
+using Corners = std::span<const Vec2>;     ///< of a convex cell, counter-clockwise, no two equal [m]
 
 /// What the straight line from a to b adds, (R.4).
 [[nodiscard]] inline Moments along_line(const Vec2& a, const Vec2& b) {

@@ -16,15 +16,16 @@ constexpr Eigen::Index most = monomials(max_moment_order);
 using Multipliers = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>;
 using Gram = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
 
-constexpr double ridge = 1e-10;  ///< ε of (W.2)
-constexpr double exact = 1e-12;  ///< of the area: what rounding leaves of a moment
-constexpr double met = 1e-9;     ///< of the area: by how much a moment may be missed
+constexpr double ridge = 1e-10;     ///< ε of (W.2)
+constexpr double exact = 1e-12;     ///< of the area: so near moments count as reproduced without a fit
+constexpr double met = 1e-9;        ///< of the area: by how much a fit may miss a moment
+constexpr double rounding = 1e-14;  ///< of the cell: what the moments of a small part carry of it
 constexpr int most_steps = 25;
 
-/// The highest order for which there are 1.5 points a moment, at most that of the moments given.
-int order_for(Eigen::Index points, Eigen::Index given) {
+/// The order up to which there are so many moments.
+int order_of(Eigen::Index moments) {
   int order = 0;
-  while (monomials(order + 1) <= given && 3 * monomials(order + 1) <= 2 * points) ++order;
+  while (monomials(order) < moments) ++order;
   return order;
 }
 
@@ -63,9 +64,9 @@ struct Problem {
   }
 };
 
-/// Monomials that depend on others on these points, to 1e-7, are left out.
+/// Monomials that depend on others on these points are left out.
 Problem make_problem(const Eigen::MatrixXd& monomial, const Multipliers& moments, const Eigen::VectorXd& plain) {
-  constexpr double dependent = 1e-7;
+  constexpr double dependent = 1e-10;
   const Eigen::VectorXd root = plain.cwiseSqrt();
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(root.asDiagonal() * monomial.transpose());
   qr.setThreshold(dependent);
@@ -102,16 +103,24 @@ void advance(const Problem& problem, const Eigen::VectorXd& growth, const Multip
   multiplier += share * step;
 }
 
+bool reproduces(const Eigen::MatrixXd& monomial, const Eigen::VectorXd& weight, const Multipliers& moments) {
+  return (monomial * weight - moments).cwiseAbs().maxCoeff() <= exact;
+}
+
 /// Weights that reproduce all moments given, or none where no weights above the bound do.
 std::optional<Eigen::VectorXd> weights_for(const Eigen::MatrixXd& monomial, const Multipliers& moments,
-                                           const Eigen::VectorXd& plain) {
-  if ((monomial * plain - moments).cwiseAbs().maxCoeff() <= exact) return plain;
+                                           const Eigen::VectorXd& plain, double tolerance) {
+  if (reproduces(monomial, plain, moments)) return plain;
   const Problem problem = make_problem(monomial, moments, plain);
   Multipliers multiplier = Multipliers::Zero(problem.target.size());
   for (int k = 0; k < most_steps; ++k) {
     const Eigen::VectorXd growth = problem.growth(multiplier);
     const Multipliers rest = problem.rest(growth);
-    if (rest.cwiseAbs().maxCoeff() <= met) return problem.weights(growth);
+    if (rest.cwiseAbs().maxCoeff() <= tolerance) {
+      Eigen::VectorXd weight = problem.weights(growth);
+      const double missed = (monomial * weight - moments).cwiseAbs().maxCoeff();  // of those left out, too
+      return missed <= tolerance ? std::optional(std::move(weight)) : std::nullopt;
+    }
     advance(problem, growth, rest + ridge * multiplier, multiplier);
   }
   return std::nullopt;
@@ -122,15 +131,20 @@ std::optional<Eigen::VectorXd> weights_for(const Eigen::MatrixXd& monomial, cons
 int fit_weights(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size,
                 const Eigen::Ref<const Eigen::VectorXd>& moments, Eigen::Ref<Eigen::VectorXd> weight) {
   const Eigen::VectorXd plain = weight / weight.sum();
-  int order = order_for(x.cols(), moments.size());
-  const Eigen::MatrixXd monomial = monomials_at(x, size, order);
-  const Multipliers target = scaled(moments, size, order);
-  for (; order > 0; --order)
-    if (const auto fitted = weights_for(monomial.topRows(monomials(order)), target.head(monomials(order)), plain)) {
+  const int highest = order_of(moments.size());
+  const Eigen::MatrixXd monomial = monomials_at(x, size, highest);
+  const Multipliers target = scaled(moments, size, highest);
+  const double tolerance = met + rounding * size * size / moments[0];
+  weight = moments[0] * plain;
+  if (reproduces(monomial, plain, target)) return highest;
+  for (int order = highest; order > 0; --order) {
+    if (points_for(order) > x.cols()) continue;
+    const Eigen::Index rows = monomials(order);
+    if (const auto fitted = weights_for(monomial.topRows(rows), target.head(rows), plain, tolerance)) {
       weight = moments[0] * *fitted;
       return order;
     }
-  weight = moments[0] * plain;
+  }
   return 0;
 }
 

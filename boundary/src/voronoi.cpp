@@ -6,14 +6,9 @@
 #include <numeric>
 #include <string>
 
-#include "closed_spans.hpp"
-#include "contour_moments.hpp"
-#include "cubic.hpp"
-#include "grid_crossings.hpp"
+#include "cover.hpp"
 #include "message.hpp"
 #include "shoreline/bases/error.hpp"
-#include "shoreline/boundary/region.hpp"
-#include "span_tree.hpp"
 
 namespace shoreline {
 namespace {
@@ -85,84 +80,6 @@ std::vector<Vec2> corners_of(const Diagram::cell_type& cell, const RasterPoint& 
   return corners;
 }
 
-/// The lines along the sides of a cell, but for sides so short that rounding turns them.
-std::vector<Line> lines_along(Corners corners, const Vec2& site, double shortest) {
-  std::vector<Line> lines;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Vec2 edge = corners[(k + 1) % corners.size()] - corners[k];
-    if (edge.norm() < shortest) continue;
-    const Vec2 inward = Vec2(-edge.y(), edge.x()).normalized();
-    lines.push_back({inward, inward.dot(corners[k] + site)});
-  }
-  return lines;
-}
-
-bool in_front(std::span<const Line> lines, const Vec2& x) {
-  return std::ranges::all_of(lines, [&](const Line& line) { return line.normal.dot(x) >= line.offset; });
-}
-
-/// Whether a line has all of a span behind it.
-bool keeps_off(std::span<const Line> lines, const CubicSpan& span) {
-  return std::ranges::any_of(lines, [&](const Line& line) {
-    return std::ranges::all_of(span.control, [&](const Vec2& x) { return line.normal.dot(x) < line.offset; });
-  });
-}
-
-/// What the body covers of convex cells.
-class Cover {
- public:
-  explicit Cover(std::span<const SplineCurve> curves) : region_(curves), spans_(closed_spans(curves)), tree_(spans_) {}
-
-  [[nodiscard]] const Region& region() const { return region_; }
-
-  /// |K ∩ Ω| by (R.5) with the cell K in the place of the triangle [m²].
-  /// @param corners   of K, about the site
-  /// @param shortest  side that has a direction [m]
-  [[nodiscard]] double area(Corners corners, const Vec2& site, double shortest) const {
-    const Moments whole = along_border(corners, {corners.size() - 1, corners[0]}, corners[0]);
-    const std::vector<Line> lines = lines_along(corners, site, shortest);
-    double runs = 0.0;
-    bool met = false;
-    tree_.for_each_in(box_of(corners, site), [&](std::size_t k) {
-      if (keeps_off(lines, spans_[k])) return;
-      met = true;
-      runs += closed_runs(spans_[k], corners, lines, site);
-    });
-    const Vec2 centroid = site + whole.segment<2>(1) / whole[0];
-    const auto centre_inside = [&] { return region_.contains(centroid); };
-    if (!met) return centre_inside() ? whole[0] : 0.0;
-    return runs + whole[0] * missing_wholes(runs / whole[0], centre_inside);
-  }
-
- private:
-  static Box box_of(Corners corners, const Vec2& site) {
-    Box box{corners[0], corners[0]};
-    for (const Vec2& x : corners) {
-      box.lower = box.lower.cwiseMin(x);
-      box.upper = box.upper.cwiseMax(x);
-    }
-    return {box.lower + site, box.upper + site};
-  }
-
-  /// Area of the span's runs through a cell, each closed along its border. A run along a side encloses nothing.
-  static double closed_runs(const CubicSpan& span, Corners corners, std::span<const Line> lines, const Vec2& site) {
-    const auto border = [&](const Vec2& x) { return along_border(corners, nearest_place(corners, x), x)[0]; };
-    const std::vector<double> u = split_at_lines(span, lines);
-    double area = 0.0;
-    for (std::size_t i = 0; i + 1 < u.size(); ++i) {
-      const bool inside = by_majority(u[i], u[i + 1], [&](double at) { return in_front(lines, span.position(at)); });
-      if (!inside) continue;
-      const CubicSpan run = part(span, u[i], u[i + 1]);
-      area += along_curve(run, site)[0] + border(run.control[0] - site) - border(run.control[3] - site);
-    }
-    return area;
-  }
-
-  Region region_;
-  std::vector<CubicSpan> spans_;
-  SpanTree tree_;
-};
-
 void require_within(const Box& box, const Eigen::Matrix2Xd& sites) {
   const Vec2 tolerance = Vec2::Constant(1e-9 * (box.upper - box.lower).maxCoeff());
   for (Eigen::Index p = 0; p < sites.cols(); ++p) {
@@ -191,7 +108,8 @@ Eigen::VectorXd voronoi_areas(std::span<const SplineCurve> curves, const Eigen::
     const std::size_t k = cell.source_index();
     if (k >= share.size()) continue;
     const RasterPoint& site = distinct.point[k];
-    share[k] = cover.area(corners_of(cell, site, raster.step), raster.place(site), shortest) / distinct.sharers[k];
+    share[k] =
+        cover.moments(corners_of(cell, site, raster.step), raster.place(site), shortest)[0] / distinct.sharers[k];
   }
   Eigen::VectorXd areas(sites.cols());
   for (std::size_t p = 0; p < distinct.number.size(); ++p)

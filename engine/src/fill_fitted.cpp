@@ -1,9 +1,12 @@
 // Points for weights that are fitted to the outline.
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "shoreline/bases/quadrature.hpp"
 #include "shoreline/boundary/body_moments.hpp"
+#include "shoreline/boundary/cut_points.hpp"
+#include "shoreline/boundary/fitted_weights.hpp"
 #include "shoreline/boundary/triangle_moments.hpp"
 #include "shoreline/engine/fill.hpp"
 
@@ -29,26 +32,42 @@ class Collected {
   std::vector<double> volume_;
 };
 
-/// Which cells the body covers whole, and which in part.
+/// Which cells the body covers whole, and which in part; their columns in the moments.
 struct Coverage {
-  std::vector<Index> whole;
-  std::vector<Index> cut;
+  BodyMoments moments;
+  std::vector<std::size_t> whole;
+  std::vector<std::size_t> cut;
 };
 
-Coverage coverage(std::span<const SplineCurve> curves, const Grid& grid) {
+Coverage coverage(std::span<const SplineCurve> curves, const Grid& grid, int order) {
   constexpr double tolerance = 1e-9;  // of the area
-  const BodyMoments covered = body_moments(curves, grid, 0);
-  Coverage found;
-  for (std::size_t k = 0; k < covered.cell.size(); ++k) {
+  Coverage found{body_moments(curves, grid, order), {}, {}};
+  for (std::size_t k = 0; k < found.moments.cell.size(); ++k) {
     const auto column = static_cast<Eigen::Index>(k);
-    const bool whole = covered.moment(0, column) >= (1.0 - tolerance) * covered.whole[column];
-    (whole ? found.whole : found.cut).push_back(covered.cell[k]);
+    const bool whole = found.moments.moment(0, column) >= (1.0 - tolerance) * found.moments.whole[column];
+    (whole ? found.whole : found.cut).push_back(k);
   }
   return found;
 }
 
+/// Points in the covered part of a rectangle, of as many sub-rectangles as their weights take to meet the moments.
+AreaPoints points_in_cut(const CutPoints& cut, const Box& cell, std::array<int, 2> divisions, const Vec2& centre,
+                         const Eigen::Ref<const Eigen::VectorXd>& moments, int order) {
+  constexpr int rounds = 4;
+  const double size = std::sqrt((cell.upper - cell.lower).prod());
+  for (int k = 1;; ++k) {
+    AreaPoints points = cut.in(cell, divisions);
+    if (k == rounds || points.area.size() == 0) return points;
+    Eigen::VectorXd weight = points.area;
+    if (fit_weights(points.position.colwise() - centre, size, moments, weight) == order) return points;
+    for (int& n : divisions) n += (n + 1) / 2;
+  }
+}
+
 /// Adds those of some points that sit in cut cells.
-void add_in(const std::vector<Index>& cut, const Grid& grid, const MaterialPoints& points, Collected& all) {
+void add_in_cut(const Coverage& cells, const Grid& grid, const MaterialPoints& points, Collected& all) {
+  std::vector<Index> cut;
+  for (const std::size_t k : cells.cut) cut.push_back(cells.moments.cell[k]);
   Index cell = 0;
   for (Index p = 0; p < points.size(); ++p) {
     cell = grid.locate(points.position.col(p), cell).value_or(-1);
@@ -63,28 +82,38 @@ int more(int per_cell, int least) { return std::max(per_cell, least); }
 
 MaterialPoints fill_fitted(std::span<const SplineCurve> curves, const QuadrilateralGrid& grid,
                            const std::array<int, 2>& per_cell, int degree) {
-  const Coverage cells = coverage(curves, grid);
+  const int order = 2 * degree;
+  const Coverage cells = coverage(curves, grid, order);
   const QuadratureRule along_x = gauss(per_cell[0]);
   const QuadratureRule along_y = gauss(per_cell[1]);
   Collected all;
-  for (const Index cell : cells.whole)
+  for (const std::size_t k : cells.whole)
     for (Eigen::Index j = 0; j < along_y.point.size(); ++j)
       for (Eigen::Index i = 0; i < along_x.point.size(); ++i)
-        all.add(grid.corner(cell) + Vec2(along_x.point[i], along_y.point[j]).cwiseProduct(grid.spacing()),
-                along_x.weight[i] * along_y.weight[j] * grid.spacing().prod());
-  const int least = 2 * (degree + 2);
-  const LatticeFill lattice{{more(per_cell[0], least), more(per_cell[1], least)}, VolumeRule::clipped};
-  add_in(cells.cut, grid, fill_lattice(curves, grid, lattice), all);
+        all.add(
+            grid.corner(cells.moments.cell[k]) + Vec2(along_x.point[i], along_y.point[j]).cwiseProduct(grid.spacing()),
+            along_x.weight[i] * along_y.weight[j] * grid.spacing().prod());
+  const int least = 2 * degree + 2;
+  const std::array<int, 2> divisions{more(per_cell[0], least), more(per_cell[1], least)};
+  const CutPoints cut(curves);
+  for (const std::size_t k : cells.cut) {
+    const Vec2 corner = grid.corner(cells.moments.cell[k]);
+    const auto column = static_cast<Eigen::Index>(k);
+    const AreaPoints found = points_in_cut(cut, {corner, corner + grid.spacing()}, divisions,
+                                           cells.moments.centre.col(column), cells.moments.moment.col(column), order);
+    for (Eigen::Index p = 0; p < found.area.size(); ++p) all.add(found.position.col(p), found.area[p]);
+  }
   return all.points();
 }
 
 MaterialPoints fill_fitted(std::span<const SplineCurve> curves, const TriangleGrid& grid,
                            const std::array<int, 2>& per_cell, int /*degree*/) {
   constexpr int least = 3;  // of the sub-cells along a side of a cut triangle
-  const Coverage cells = coverage(curves, grid);
+  const Coverage cells = coverage(curves, grid, 0);
   const int divisions = divisions_of(per_cell, grid);
   Collected all;
-  for (const Index cell : cells.whole) {
+  for (const std::size_t whole : cells.whole) {
+    const Index cell = cells.moments.cell[whole];
     const auto [a, b, c] = corners(grid.mesh(), cell);
     const double area = 0.5 * twice_area(a, b, c);
     if (divisions > 2) {
@@ -97,7 +126,7 @@ MaterialPoints fill_fitted(std::span<const SplineCurve> curves, const TriangleGr
     for (const Vec2& x : {a, b, c}) all.add(0.5 * x + (a + b + c) / 6.0, area / 3.0);  // exact to degree 2
   }
   const int fine = more(divisions, least) * (grid.parts() == 1 ? 1 : 2);
-  add_in(cells.cut, grid, fill_lattice(curves, grid, {{fine, fine}, VolumeRule::clipped}), all);
+  add_in_cut(cells, grid, fill_lattice(curves, grid, {{fine, fine}, VolumeRule::clipped}), all);
   return all.points();
 }
 

@@ -8,13 +8,19 @@ namespace shoreline {
 /// Share of its plain weight below which no fitted one falls: no point gets a negative stiffness.
 inline constexpr double least_weight = 0.05;
 
+/// How many points of a cell it takes to fit their weights to its moments up to an order: 1.5 a moment.
+[[nodiscard]] constexpr Eigen::Index points_for(int order) {
+  const Eigen::Index moments = static_cast<Eigen::Index>(order + 1) * (order + 2) / 2;
+  return (3 * moments + 1) / 2;
+}
+
 /// The weights nearest to plain ones that reproduce the moments of what is covered, (W.1):
 ///
 ///     min Σ (w_p − v_p)²/v_p  with  Σ w_p ξ_p^a η_p^b = ∫ ξ^a η^b dA, a + b <= k,  and  w_p >= 0.05 v_p,
 ///
 /// v the plain weights times the ratio of covered area to their sum. Its multipliers are found by Newton's method,
-/// (W.2). k is the highest order of the moments given for which there are 1.5 points a moment and such weights; for
-/// k = 0 there are always some, v.
+/// (W.2). k is the highest order of the moments given that v meets, or for which there are points_for(k) points and
+/// such weights; for k = 0 there are always some, v.
 ///
 /// @param x        (2, n) places of the points about the centre of the moments [m]; n >= 1
 /// @param size     of the cell [m]

@@ -72,7 +72,7 @@ struct RandomFill {
 
 /// Points for weights that are fitted to the outline, (V.8): per_cell Gauss points in each direction of a rectangle
 /// that the body covers whole, three in such a triangle (its sub-cells' centroids where per_cell makes more than four);
-/// in a cell that the outline cuts the points of `clipped` with at least 2(p + 2) sub-cells in each direction
+/// in a cell that the outline cuts the points of `clipped` with at least 2p + 2 sub-cells in each direction
 /// (triangles: 3).
 ///
 /// @param degree  p of the basis
