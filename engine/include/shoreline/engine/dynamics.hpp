@@ -59,6 +59,7 @@ struct DynamicRecord {
   double time_of_smallest = 0.0;        ///< [s]
   double courant = 0.0;                 ///< Δt √((λ+2μ)/ρ)/h at the start, h the smallest cell
   Index dropped = 0;                    ///< points that left the grid and were dropped
+  std::optional<WeightReport> weights{};  ///< of all fits; with fitted weights alone
   long critical_step_iterations = 0;    ///< products K w
   long mass_iterations = 0;             ///< of conjugate gradients
 };
