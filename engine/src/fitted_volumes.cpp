@@ -46,35 +46,43 @@ int fit_cell(const Basis& basis, const PointSupports& supports, std::size_t c, c
 
 }  // namespace
 
-WeightFit FittedVolumes::fit(const Basis& basis, const PointSupports& supports, const std::vector<Edge>& edges,
-                             MaterialPoints& points) {
+WeightReport FittedVolumes::fit_cells(const Basis& basis, const PointSupports& supports, const BodyMoments& moments,
+                                      int order, MaterialPoints& points) const {
+  const std::vector<Eigen::Index> column = columns_of(supports, moments);
+  std::vector<int> met(supports.cell.size(), order);
+#pragma omp parallel for schedule(dynamic, 64) if (worth_threads(supports.point.size()))
+  for (Index c = 0; c < supports.cells(); ++c)
+    if (column[at(c)] >= 0) met[at(c)] = fit_cell(basis, supports, at(c), moments, column[at(c)], start_, points);
+
+  WeightReport report;
+  double served = 0.0;
+  for (std::size_t c = 0; c < met.size(); ++c) {
+    if (column[c] >= 0) served += moments.moment(0, column[c]);
+    if (met[c] < order) ++report.cells_unmet;
+  }
+  report.unserved = std::max(0.0, 1.0 - served / moments.moment.row(0).sum());
+  return report;
+}
+
+WeightReport FittedVolumes::fit(const Basis& basis, const PointSupports& supports, const std::vector<Edge>& edges,
+                                MaterialPoints& points) {
   if (start_.size() == 0) start_ = points.volume;
   std::vector<SplineCurve> curves;
   for (const Edge& edge : edges) curves.push_back(edge.curve);
   const int order = std::min(2 * basis.degree(), highest_order(basis.grid()));
   const BodyMoments moments = body_moments(curves, basis.grid(), order);
-  const std::vector<Eigen::Index> column = columns_of(supports, moments);
-
-  std::vector<int> met(supports.cell.size());
-#pragma omp parallel for schedule(dynamic, 64) if (worth_threads(supports.point.size()))
-  for (Index c = 0; c < supports.cells(); ++c)
-    if (column[at(c)] >= 0) met[at(c)] = fit_cell(basis, supports, at(c), moments, column[at(c)], start_, points);
-
-  WeightFit result;
-  double served = 0.0;
-  for (std::size_t c = 0; c < met.size(); ++c) {
-    if (column[c] < 0) continue;
-    served += moments.moment(0, column[c]);
-    if (met[c] < order) ++result.cells_unmet;
+  WeightReport report = fit_cells(basis, supports, moments, order, points);
+  points.volume *= moments.moment.row(0).sum() / points.volume.sum();
+  if (report.cells_unmet > 0) {
+    points.volume = consistent_.fit(basis, points, supports, edges);
+    report.unmet = consistent_.report().unmet;
+    report.iterations = consistent_.report().iterations;
+    report.factorisations = consistent_.report().factorisations;
   }
-  const double area = moments.moment.row(0).sum();
-  result.unserved_share = std::max(0.0, 1.0 - served / area);
-  points.volume *= area / points.volume.sum();
-  for (Index p = 0; p < points.size(); ++p) {
-    if (std::abs(points.volume[p] - start_[p]) > changed * start_[p]) ++result.changed;
-    if (points.volume[p] <= at_bound * least_weight * start_[p]) ++result.at_bound;
-  }
-  return result;
+  const auto off = (points.volume - start_).cwiseAbs().array() > changed * start_.array();
+  report.changed = static_cast<double>(off.count()) / points.size();
+  report.bounded = static_cast<Index>((points.volume.array() <= at_bound * least_weight * start_.array()).count());
+  return report;
 }
 
 }  // namespace shoreline

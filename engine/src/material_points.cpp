@@ -1,32 +1,8 @@
 #include "shoreline/engine/material_points.hpp"
 
 #include "point_cells.hpp"
-#include "threads.hpp"
 
 namespace shoreline {
-namespace {
-
-void evaluate(const Basis& basis, const MaterialPoints& points, PointSupports& supports) {
-  const Eigen::Index n = supports.functions;
-  supports.value.resize(points.size() * n);
-  supports.gradient.resize(points.size() * 2 * n);
-#pragma omp parallel if (worth_threads(supports.point.size()))
-  {
-    std::vector<Vec2> x;
-#pragma omp for schedule(static)
-    for (Index c = 0; c < supports.cells(); ++c) {
-      const auto at = static_cast<std::size_t>(c);
-      const Index begin = supports.first[at];
-      x.clear();
-      for (Index k = begin; k < supports.first[at + 1]; ++k)
-        x.push_back(points.position.col(supports.point[static_cast<std::size_t>(k)]));
-      basis.evaluate(supports.cell[at], x, &supports.value[begin * n], &supports.gradient[begin * 2 * n]);
-    }
-  }
-}
-
-}  // namespace
-
 MaterialPoints points_at(Eigen::Matrix2Xd position, Eigen::VectorXd volume) {
   const Eigen::Index n = volume.size();
   return {.position = std::move(position),
@@ -55,7 +31,7 @@ PointSupports locate_points(const Basis& basis, const MaterialPoints& points, Po
   PointSupports supports = std::move(reuse);
   supports.functions = basis.functions_per_cell();
   group_points(cell, basis.grid(), supports);
-  evaluate(basis, points, supports);
+  evaluate_supports(basis, points, supports);
   return supports;
 }
 

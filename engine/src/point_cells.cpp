@@ -102,4 +102,23 @@ void reorder(const std::vector<Index>& order, MaterialPoints& points) {
   std::erase_if(points.on_outline, [](const OutlinePoint& edge) { return edge.point < 0; });
 }
 
+void evaluate_supports(const Basis& basis, const MaterialPoints& points, PointSupports& supports) {
+  const Eigen::Index n = supports.functions;
+  supports.value.resize(points.size() * n);
+  supports.gradient.resize(points.size() * 2 * n);
+#pragma omp parallel if (worth_threads(supports.point.size()))
+  {
+    std::vector<Vec2> x;
+#pragma omp for schedule(static)
+    for (Index c = 0; c < supports.cells(); ++c) {
+      const auto at = static_cast<std::size_t>(c);
+      const Index begin = supports.first[at];
+      x.clear();
+      for (Index k = begin; k < supports.first[at + 1]; ++k)
+        x.push_back(points.position.col(supports.point[static_cast<std::size_t>(k)]));
+      basis.evaluate(supports.cell[at], x, &supports.value[begin * n], &supports.gradient[begin * 2 * n]);
+    }
+  }
+}
+
 }  // namespace shoreline

@@ -26,6 +26,9 @@ void order_by_cell(const std::vector<Index>& cell, Index cells, std::vector<Inde
 /// @pre every point has a cell
 void group_points(const std::vector<Index>& cell, const Grid& grid, PointSupports& supports);
 
+/// Evaluates the basis at the points, for the cells in which supports say that they sit.
+void evaluate_supports(const Basis& basis, const MaterialPoints& points, PointSupports& supports);
+
 /// The columns of a field, one a point, in a new order; what is not in it is gone.
 template <class Field>
 void reorder_columns(const std::vector<Index>& order, Field& field) {

@@ -44,6 +44,7 @@ void take_over(const RunRecord& record, double total, Summary& summary) {
   summary.reactions = record.resultants.reactions;
   summary.displacement_fit = record.fit_errors;
   summary.condition_estimate = record.condition_estimate;
+  summary.fitted_weights = record.weights;
   summary.extended_share = record.extended_share;
   summary.counters = {{"factorisations", record.factorisations}, {"analyses", record.analyses}};
 }

@@ -169,3 +169,12 @@ TEST_CASE("schema and reference page name the keys of dynamics", "[engine][case_
   CHECK_THAT(case_format(), Contains("| `" + key + "` |"));
   CHECK_THAT(case_schema(), Contains("self_weight_column") && Contains("hypoelastic"));
 }
+
+TEST_CASE("a ghost mass goes with the consistent mass alone, as lumping erases it", "[engine][case_reader]") {
+  CHECK(settings({}).ghost == 0.0);
+  CHECK(settings({"analysis.mass=consistent", "ghost=1e-3"}).ghost == 1e-3);
+  CHECK(settings({"analysis.mass=lumped", "ghost=0"}).ghost == 0.0);
+  CHECK_THAT(refusal({"analysis.mass=lumped", "ghost=1e-3"}),
+             Contains("/ghost: found 0.001 beside a lumped mass, expected 0") && Contains("lumping erases it"));
+  CHECK_THAT(refusal({"analysis.mass=partly_lumped", "ghost=1e-3"}), Contains("partly_lumped mass, expected 0"));
+}

@@ -186,9 +186,12 @@ Case case_of(const Node& root, const std::filesystem::path& file) {
     problem.material_points = read_material_points(root["material_points"], problem.grid);
     problem.fitted = root["material_points"]["volumes"].is("fitted");
   }
-  if (root["analysis"]["type"].is("projection"))
+  if (root["analysis"]["type"].is("projection")) {
+    if (problem.fitted)
+      root["material_points"]["volumes"].place.fail(
+          "found \"fitted\", expected another rule: a projection takes the points with their own volumes");
     problem.analysis = read_projection(root, constants);
-  else if (root["analysis"]["type"].is("explicit_dynamics"))
+  } else if (root["analysis"]["type"].is("explicit_dynamics"))
     read_dynamics(root, constants, problem);
   else
     read_load_steps(root, constants, problem);

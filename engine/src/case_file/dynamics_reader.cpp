@@ -42,6 +42,16 @@ ExplicitDynamics read_settings(const Node& node) {
   return settings;
 }
 
+double read_ghost(const Node& root, MassForm mass) {
+  const auto gamma = root["ghost"].as<double>();
+  if (gamma > 0.0 && mass != MassForm::consistent)
+    root["ghost"].place.fail(fmt::format(
+        "found {:g} beside a {} mass, expected 0: the rows of a ghost mass sum to zero, so lumping erases it; take "
+        "\"mass\": \"consistent\", or no ghost mass",
+        gamma, name_of(mass)));
+  return gamma;
+}
+
 Case::Law read_law(const Node& node) {
   if (node.is("linear_large")) return Case::Law::linear_large;
   return node.is("neo_hookean") ? Case::Law::neo_hookean : Case::Law::hypoelastic;
@@ -81,7 +91,12 @@ Case::Exact read_exact(const Node& root, const Constants& constants, const Case&
 void read_dynamics(const Node& root, const Constants& constants, Case& problem) {
   const Node material = root["material"];
   problem.plane = Plane::strain;
-  problem.analysis = read_settings(root["analysis"]);
+  ExplicitDynamics settings = read_settings(root["analysis"]);
+  settings.ghost = read_ghost(root, settings.mass);
+  problem.analysis = settings;
+  auto* lattice = std::get_if<LatticeFill>(&problem.material_points);
+  if (lattice != nullptr && lattice->volumes == VolumeRule::fitted)
+    lattice->volumes = VolumeRule::clipped;  // more points in cut cells would have next to no mass
   problem.material = {.law = read_law(material["type"]),
                       .youngs_modulus = material["youngs_modulus"].as<double>(),
                       .poissons_ratio = material["poissons_ratio"].as<double>(),

@@ -194,6 +194,9 @@ Object dynamic_case() {
        key("body_force", field, optional, "N/m³", "force per current volume, x and y"),
        key("gravity", field, optional, "m/s²",
            "acceleration, x and y: numbers, or formulas, of which a point takes the value at its place"),
+       key("ghost", {Number{{0.0, 1e6}}}, otherwise(ExplicitDynamics{}.ghost), "",
+           "γ of a ghost mass, which binds functions with little material to their neighbours; with the `consistent` "
+           "mass alone, as lumping erases it"),
        key("initial_velocity", field, optional, "m/s", "velocity at t = 0, x and y; default: at rest"), constants(),
        key("exact", exact(true), optional, "",
            "exact solution as functions of the original position and t; with it, errors are computed at the end, and "

@@ -96,6 +96,7 @@ void take_over(const DynamicRecord& record, double total, Summary& summary) {
   summary.displacement_fit = record.fit_errors;
   summary.warnings = record.warnings;
   summary.history = record.history;
+  summary.fitted_weights = record.weights;
   summary.counters = {{"mass_iterations", record.mass_iterations},
                       {"critical_step_iterations", record.critical_step_iterations}};
   Summary::Dynamics& dynamics = *summary.dynamics;

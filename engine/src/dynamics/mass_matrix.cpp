@@ -48,11 +48,17 @@ void MassMatrix::assemble(const OccupiedElements& occupied, const Eigen::VectorX
                           const std::vector<double>& blocks) {
   row_sum_ = row_sum;
   diagonal_ = row_sum;
+  ghost_ = nullptr;
   if (!has_blocks()) return;
   if (form_ == MassForm::partly_lumped) find_lumped(occupied);
   sum_blocks(occupied, blocks);
   if (form_ == MassForm::partly_lumped) move_to_diagonal();
   for (Index f = 0; f < table_.functions(); ++f) diagonal_[f] = value_[at(diagonal_place_[at(f)])];
+}
+
+void MassMatrix::add(const GhostMass::Matrix& ghost) {
+  ghost_ = &ghost;
+  diagonal_ += ghost.diagonal();
 }
 
 void MassMatrix::sum_blocks(const OccupiedElements& occupied, const std::vector<double>& blocks) {
@@ -115,6 +121,7 @@ const Eigen::Matrix2Xd& MassMatrix::times(const Eigen::Matrix2Xd& x) {
     product_(0, f) = sum_x;
     product_(1, f) = sum_y;
   }
+  if (ghost_ != nullptr) product_.transpose() += *ghost_ * x.transpose();
   return product_;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "element_table.hpp"
+#include "ghost_mass.hpp"
 #include "held_components.hpp"
 #include "shoreline/engine/case.hpp"
 
@@ -21,6 +22,11 @@ class MassMatrix {
   /// @param row_sum  (functions) Σ m φ_i [kg per metre]
   /// @param blocks   (occupied elements · n · n) element masses, if has_blocks()
   void assemble(const OccupiedElements& occupied, const Eigen::VectorXd& row_sum, const std::vector<double>& blocks);
+
+  /// Adds a ghost mass to what was assembled, (G.4).
+  /// @param ghost  to live until the next call of assemble
+  /// @pre has_blocks()
+  void add(const GhostMass::Matrix& ghost);
 
   /// The field x with M x = f on components that are not held, (Y.4); those that are held get their values and what
   /// their masters give. Components without mass stay zero. By division where that solves it, else by conjugate
@@ -58,6 +64,7 @@ class MassMatrix {
   Eigen::VectorXd diagonal_;
   Eigen::VectorXd row_sum_;
   std::vector<char> is_lumped_;
+  const GhostMass::Matrix* ghost_ = nullptr;
   Eigen::Matrix2Xd product_, residual_, direction_, preconditioned_, inverse_;
   long iterations_ = 0;
 };

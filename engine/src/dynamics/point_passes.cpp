@@ -14,7 +14,7 @@ void add_mass_and_force(const Chunk<N>& chunk, const MovingPoints& points, doubl
   const double* const stress = points.state.stress.data();
   for (std::size_t q = 0; q < chunk.pairs; ++q) {
     mass[q] = chunk.load_once(q, points.motion.mass);
-    const Lanes volume = chunk.load_once(q, points.state.volume);
+    const Lanes volume = chunk.load_once(q, points.weight);
     const auto [normal_x, normal_y] = chunk.load_two(q, stress, 4, 0);
     xx[q] = volume * normal_x;
     yy[q] = volume * normal_y;

@@ -37,6 +37,7 @@ struct StepMotion {
 struct MovingPoints {
   MaterialPoints& state;
   PointMotion& motion;
+  const Eigen::VectorXd& weight;  ///< of the stress in the forces [m³ per metre]: the volumes, or fitted weights
 };
 
 /// Where they sit.

@@ -31,7 +31,7 @@ void stress_change(const Chunk<N>& chunk, const MovingPoints& points, const Larg
   law.update({change.data(), count}, {increment.data(), count}, {deformation.data(), count});
   for (std::size_t k = 0; k < count; ++k) {
     const Index p = chunk.point[k];
-    change[k] = points.state.volume[p] * largest[k] / small * (change[k] - points.state.stress.col(p));
+    change[k] = points.weight[p] * largest[k] / small * (change[k] - points.state.stress.col(p));
   }
 }
 

@@ -31,12 +31,19 @@ bool any_grid_piece(const Scene& body) {
   return false;
 }
 
+std::unique_ptr<GhostMass> ghost_mass_of(const DynamicScene& scene) {
+  if (scene.settings.ghost == 0.0) return nullptr;
+  return std::make_unique<GhostMass>(scene.settings.ghost, scene.motion.mass.sum() / scene.motion.volume.sum());
+}
+
 }  // namespace
 
 TimeStep::TimeStep(DynamicScene& scene)
     : scene_(scene),
+      ghost_(ghost_mass_of(scene)),
+      fitted_(scene.body.fitted ? std::make_unique<FittedQuadrature>() : nullptr),
       table_(*scene.body.basis),
-      points_{scene.body.points, scene.motion},
+      points_{scene.body.points, scene.motion, fitted_ ? fitted_->weight() : scene.body.points.volume},
       passes_(*scene.body.basis, table_),
       mass_(table_, scene.settings.mass),
       prescribed_(2, 0),
@@ -165,8 +172,19 @@ void TimeStep::begin(double t, double dt, DynamicRecord& record) {
     trace_boundary();
     prescribe(t, dt);
   });
+  if (fitted_)
+    record.phases.time("weights", [&] {
+      fitted_->fit(*scene_.body.basis, scene_.body.points, cells_.supports, edges_);
+      if (!record.weights) record.weights.emplace();
+      record.weights->add(fitted_->report());
+    });
   record.phases.time("forces", [&] { find_forces(t, record); });
   record.phases.time("mass", [&] { mass_.assemble(cells_.occupied, sums_.mass, sums_.block); });
+  if (ghost_)
+    record.phases.time("ghost_mass", [&] {
+      ghost_->find(*scene_.body.basis, cells_.supports.active);
+      mass_.add(ghost_->matrix());
+    });
 }
 
 void TimeStep::finish(double t, double dt, bool wanted, DynamicRecord& record) {
@@ -257,6 +275,7 @@ void TimeStep::drop_outside(double t, DynamicRecord& record) {
   reorder_columns(kept, scene_.motion.deformation);
   reorder_entries(kept, scene_.motion.mass);
   reorder_entries(kept, scene_.motion.volume);
+  if (fitted_) fitted_->keep(kept);
   std::erase(cell_, -1);
 }
 

@@ -3,6 +3,7 @@
 
 #include "../grid_constraints.hpp"
 #include "critical_step.hpp"
+#include "fitted_quadrature.hpp"
 
 namespace shoreline {
 
@@ -43,6 +44,8 @@ class TimeStep {
   [[nodiscard]] Index free_components() const;
 
   DynamicScene& scene_;
+  std::unique_ptr<GhostMass> ghost_;          ///< none without
+  std::unique_ptr<FittedQuadrature> fitted_;  ///< none where the weights are the volumes
   ElementTable table_;
   MovingPoints points_;
   PointPasses passes_;

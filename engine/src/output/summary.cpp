@@ -96,6 +96,16 @@ Json dynamics(const Summary::Dynamics& d) {
           {"dropped_points", d.dropped_points}};
 }
 
+Json fitted_weights(const WeightReport& weights) {
+  return {{"changed", weights.changed},
+          {"bounded", weights.bounded},
+          {"unmet", weights.unmet},
+          {"cells_unmet", weights.cells_unmet},
+          {"unserved", weights.unserved},
+          {"iterations", weights.iterations},
+          {"factorisations", weights.factorisations}};
+}
+
 Json energies(const HistoryState& state) {
   return {{"kinetic", state.kinetic}, {"strain", state.strain}, {"gravity", state.gravity}, {"total", state.total()}};
 }
@@ -148,6 +158,7 @@ void write_summary(const Summary& summary, const std::filesystem::path& folder) 
   if (summary.projection_errors) json["errors"] = projection_errors(*summary.projection_errors);
   if (summary.analysis != "projection") add_loads(summary, json);
   if (summary.dynamics) json["dynamics"] = dynamics(*summary.dynamics);
+  if (summary.fitted_weights) json["fitted_weights"] = fitted_weights(*summary.fitted_weights);
   if (!summary.history.empty()) add_balance(summary.history, json);
   for (const Probe& p : summary.probes) json["probes"][p.name] = probe(p);
   add_costs(summary, json);

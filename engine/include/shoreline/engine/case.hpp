@@ -48,6 +48,7 @@ struct ExplicitDynamics {
   double safety = 0.7;                ///< that share
   double end_time = 0.0;              ///< [s]
   MassForm mass = MassForm::lumped;
+  double ghost = 0.0;         ///< γ of the ghost mass, (G.4); 0: none
   double pic = 0.0;           ///< share of the projected velocity in that of a point: 0 is flip, 1 is pic
   double damping = 0.0;       ///< α of local damping, (Y.12)
   bool drop_outside = false;  ///< points that leave the grid are dropped; else they end the run

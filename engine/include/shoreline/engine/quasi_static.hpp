@@ -6,17 +6,10 @@
 
 #include "shoreline/boundary/displacement_fit.hpp"
 #include "shoreline/engine/clock.hpp"
+#include "shoreline/engine/results.hpp"
 #include "shoreline/engine/scene.hpp"
 
 namespace shoreline {
-
-/// What fitting the weights of the material points came to, (W.1).
-struct WeightFit {
-  Index changed = 0;            ///< points whose weight is more than a tenth off its plain one
-  Index at_bound = 0;           ///< points that the lower bound stops
-  Index cells_unmet = 0;        ///< cells of which not all moments up to order 2p are met
-  double unserved_share = 0.0;  ///< of the body's area, in cells without points
-};
 
 /// What the load steps did and cost; filled as they go, so it tells of the steps before a failure, too.
 struct RunRecord {
@@ -27,7 +20,7 @@ struct RunRecord {
   Resultants resultants;  ///< at the end of the last step
   std::vector<std::string> warnings;
   std::optional<double> condition_estimate;  ///< of the last step's scaled matrix, where asked for
-  std::optional<WeightFit> weights;          ///< of the last step, where weights are fitted
+  std::optional<WeightReport> weights;       ///< of the last step, where weights are fitted
   double extended_share = 0.0;               ///< largest share of a piece served by a neighbour's polynomials
   std::map<std::string, FitError>
       fit_errors;                  ///< by piece that prescribes a displacement, summed over the steps: a bound

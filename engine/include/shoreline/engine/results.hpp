@@ -41,6 +41,20 @@ struct HistoryState {
   [[nodiscard]] double total() const { return kinetic + strain + gravity; }
 };
 
+/// What fitting the weights of material points to the outline came to, (W.1)–(W.9).
+struct WeightReport {
+  double changed = 0.0;     ///< share of the points whose weight differs from the plain one by more than 10 %
+  Index bounded = 0;        ///< points at the lower bound
+  double unmet = 0.0;       ///< largest |A w − r|, in parts of the largest |r|
+  Index cells_unmet = 0;    ///< cells with too few points for all moments; quasi-static runs alone
+  double unserved = 0.0;    ///< share of the body in cells without points; quasi-static runs alone
+  long iterations = 0;      ///< of Newton's method for consistent weights
+  long factorisations = 0;  ///< of its matrix
+
+  /// Takes in another fit: the worst of both, and their iterations together.
+  void add(const WeightReport& other);
+};
+
 /// A field over the cells, sampled for drawing: triangles with values at their corners.
 struct SampledField {
   Eigen::Matrix2Xd position;               ///< (2, n) [m]
@@ -130,6 +144,7 @@ struct Summary {
   std::map<std::string, Vec3> loads;
   std::map<std::string, FitError> displacement_fit;  ///< per piece with a prescribed displacement
   std::vector<Probe> probes;
+  std::optional<WeightReport> fitted_weights{};
   std::optional<double> condition_estimate;
   std::vector<std::string> warnings;
   double extended_share = 0.0;  ///< largest share of a piece that lies in cells without material points
