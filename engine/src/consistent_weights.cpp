@@ -15,7 +15,7 @@ std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 constexpr double bound = 0.05;       ///< β: least weight, in parts of the plain one
 constexpr double tolerance = 1e-9;   ///< of the residual, in parts of the largest right side
-constexpr double firm = 1e-10;       ///< ε of (W.7), in parts of the largest diagonal of its rows
+constexpr double firm = 1e-8;       ///< ε of (W.7), in parts of the largest diagonal of its rows
 constexpr double soft = 1e-3;        ///< and of (W.8)
 constexpr double contraction = 0.5;  ///< of the residual in an iteration, for which old factors are good enough
 constexpr double sufficient = 1e-4;  ///< share of the slope by which a step must lower the energy

@@ -5,6 +5,7 @@
 
 #include "shoreline/boundary/body_moments.hpp"
 #include "shoreline/boundary/fitted_weights.hpp"
+#include "shoreline/boundary/region.hpp"
 #include "threads.hpp"
 
 namespace shoreline {
@@ -26,10 +27,11 @@ std::vector<Eigen::Index> columns_of(const PointSupports& supports, const BodyMo
   return column;
 }
 
-/// Fits the weights of one cell and returns the order of the moments that they meet.
+/// Fits the weights of one cell. Where its points cannot meet all moments, they keep their plain weights.
+/// @return whether they meet them
 /// @param plain  (points) volumes at the start
-int fit_cell(const Basis& basis, const PointSupports& supports, std::size_t c, const BodyMoments& moments,
-             Eigen::Index column, const Eigen::VectorXd& plain, MaterialPoints& points) {
+bool fit_cell(const Basis& basis, const PointSupports& supports, std::size_t c, const BodyMoments& moments,
+              Eigen::Index column, const Eigen::VectorXd& plain, MaterialPoints& points) {
   const Eigen::Index n = supports.first[c + 1] - supports.first[c];
   Eigen::Matrix2Xd x(2, n);
   Eigen::VectorXd weight(n);
@@ -38,28 +40,35 @@ int fit_cell(const Basis& basis, const PointSupports& supports, std::size_t c, c
     x.col(k) = points.position.col(p) - moments.centre.col(column);
     weight[k] = plain[p];
   }
-  const int order = fit_weights(x, basis.grid().size(supports.cell[c]), moments.moment.col(column), weight);
+  const auto moment = moments.moment.col(column);
+  if (monomials(fit_weights(x, basis.grid().size(supports.cell[c]), moment, weight)) < moment.size()) return false;
   for (Eigen::Index k = 0; k < n; ++k)
     points.volume[supports.point[at(supports.first[c]) + static_cast<std::size_t>(k)]] = weight[k];
-  return order;
+  return true;
+}
+
+/// Up to which order the moments of cells matter: that of products of gradients where these are polynomials of all
+/// monomials (triangles), and of all but the highest of their mixed ones (rectangles).
+int order_for(const Basis& basis) {
+  return highest_order(basis.grid()) < max_moment_order ? basis.degree() : 2 * basis.degree();
 }
 
 }  // namespace
 
 WeightReport FittedVolumes::fit_cells(const Basis& basis, const PointSupports& supports, const BodyMoments& moments,
-                                      int order, MaterialPoints& points) const {
+                                      MaterialPoints& points) const {
   const std::vector<Eigen::Index> column = columns_of(supports, moments);
-  std::vector<int> met(supports.cell.size(), order);
+  std::vector<char> met(supports.cell.size(), 1);
+  points.volume = start_;
 #pragma omp parallel for schedule(dynamic, 64) if (worth_threads(supports.point.size()))
   for (Index c = 0; c < supports.cells(); ++c)
     if (column[at(c)] >= 0) met[at(c)] = fit_cell(basis, supports, at(c), moments, column[at(c)], start_, points);
 
   WeightReport report;
   double served = 0.0;
-  for (std::size_t c = 0; c < met.size(); ++c) {
-    if (column[c] >= 0) served += moments.moment(0, column[c]);
-    if (met[c] < order) ++report.cells_unmet;
-  }
+  report.cells_unmet = static_cast<Index>(std::ranges::count(met, 0));
+  for (std::size_t k = 0; k < moments.cell.size(); ++k)
+    if (supports.active[at(moments.cell[k])] != 0) served += moments.moment(0, static_cast<Eigen::Index>(k));
   report.unserved = std::max(0.0, 1.0 - served / moments.moment.row(0).sum());
   return report;
 }
@@ -69,9 +78,8 @@ WeightReport FittedVolumes::fit(const Basis& basis, const PointSupports& support
   if (start_.size() == 0) start_ = points.volume;
   std::vector<SplineCurve> curves;
   for (const Edge& edge : edges) curves.push_back(edge.curve);
-  const int order = std::min(2 * basis.degree(), highest_order(basis.grid()));
-  const BodyMoments moments = body_moments(curves, basis.grid(), order);
-  WeightReport report = fit_cells(basis, supports, moments, order, points);
+  const BodyMoments moments = body_moments(curves, basis.grid(), order_for(basis));
+  WeightReport report = fit_cells(basis, supports, moments, points);
   points.volume *= moments.moment.row(0).sum() / points.volume.sum();
   if (report.cells_unmet > 0) {
     points.volume = consistent_.fit(basis, points, supports, edges);

@@ -21,7 +21,7 @@ class FittedVolumes {
 
  private:
   [[nodiscard]] WeightReport fit_cells(const Basis& basis, const PointSupports& supports, const BodyMoments& moments,
-                                       int order, MaterialPoints& points) const;
+                                       MaterialPoints& points) const;
 
   Eigen::VectorXd start_;  ///< volumes before the first fit [m²]
   ConsistentWeights consistent_{Consistency::divergence};

@@ -47,7 +47,7 @@ struct WeightReport {
   Index bounded = 0;        ///< points at the lower bound
   double unmet = 0.0;       ///< largest |A w − r|, in parts of the largest |r|
   Index cells_unmet = 0;    ///< cells with too few points for all moments; quasi-static runs alone
-  double unserved = 0.0;    ///< share of the body in cells without points; quasi-static runs alone
+  double unserved = 0.0;    ///< share of the body in elements without points; quasi-static runs alone
   long iterations = 0;      ///< of Newton's method for consistent weights
   long factorisations = 0;  ///< of its matrix
 
