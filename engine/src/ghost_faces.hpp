@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "shoreline/boundary/edge.hpp"
 #include "shoreline/bases/basis.hpp"
+#include "shoreline/boundary/edge.hpp"
 
 namespace shoreline {
 

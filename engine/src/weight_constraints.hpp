@@ -17,9 +17,9 @@ enum class Consistency {
   linear       ///< (W.8) as well: every linear stress is in balance with them and with the points' body force
 };
 
-/// The constraints at one state of the points. Row (i, m, b) of a function i has the number 2(M i + m) + b; at a point it
-/// is s_m ∂_b φ_i with s = 1, (x − X_i)/h, (y − Y_i)/h. M is 1 for divergence consistency and 3 for linear consistency.
-/// Sums run over elements and functions in a fixed order.
+/// The constraints at one state of the points. Row (i, m, b) of a function i has the number 2(M i + m) + b; at a point
+/// it is s_m ∂_b φ_i with s = 1, (x − X_i)/h, (y − Y_i)/h. M is 1 for divergence consistency and 3 for linear
+/// consistency. Sums run over elements and functions in a fixed order.
 class WeightConstraints {
  public:
   /// @param supports  of the points, with gradients (and values, for linear consistency)

@@ -1,10 +1,11 @@
 // Weights that are consistent with the outline, engine/src/consistent_weights.hpp.
 
+#include "../../engine/src/consistent_weights.hpp"
+
 #include <omp.h>
 
 #include <catch2/catch.hpp>
 
-#include "../../engine/src/consistent_weights.hpp"
 #include "../every_grid.hpp"
 #include "../scenes.hpp"
 
@@ -141,8 +142,7 @@ TEST_CASE("factors of a fit serve the next one when points have moved a little",
     const test::Step step(scene);
     static_cast<void>(kept.fit(*scene.basis, scene.points, step.supports, step.edges));
     CHECK(kept.report().factorisations >= 1);
-    for (Index p = 0; p < scene.points.size(); ++p)
-      scene.points.volume[p] *= 1.0 + 1e-4 * scene.points.position(0, p);
+    for (Index p = 0; p < scene.points.size(); ++p) scene.points.volume[p] *= 1.0 + 1e-4 * scene.points.position(0, p);
     const Eigen::VectorXd w = kept.fit(*scene.basis, scene.points, step.supports, step.edges);
     CHECK(kept.report().factorisations == 0);
     const Eigen::VectorXd anew = fresh.fit(*scene.basis, scene.points, step.supports, step.edges);

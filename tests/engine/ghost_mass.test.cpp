@@ -77,12 +77,14 @@ TEST_CASE("a ghost mass is to the mass what it was in other units and on finer g
   }
 }
 
-TEST_CASE("units of length, mass and time leave the steps of a body with a sliver as they are", "[engine][ghost_mass]") {
+TEST_CASE("units of length, mass and time leave the steps of a body with a sliver as they are",
+          "[engine][ghost_mass]") {
   for (std::size_t k = 0; k < test::every_grid(Vec2::Zero(), 4.0, 4).size(); ++k) {
     DynamicRecord record[2];
     std::string name;
     for (const int other : {0, 1}) {
-      const double unit = other == 0 ? 1.0 : 64.0, modulus = other == 0 ? 1.0 : 4096.0, density = other == 0 ? 1.0 : 8.0;
+      const double unit = other == 0 ? 1.0 : 64.0, modulus = other == 0 ? 1.0 : 4096.0,
+                   density = other == 0 ? 1.0 : 8.0;
       const auto named = test::every_grid(Vec2::Zero(), 4.0 * unit, 4)[k];
       name = named.name;
       DynamicScene scene = build_dynamic_scene(sliver_case(named.grid, unit, modulus, density));

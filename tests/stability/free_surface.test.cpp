@@ -38,9 +38,10 @@ std::array<double, 2> sweep(const std::vector<std::string>& overrides) {
 
 }  // namespace
 
-TEST_CASE("the critical step stays within 30 % of that of full cells wherever the surface is, with every mass but the "
-          "consistent one alone",
-          "[stability][dynamics]") {
+TEST_CASE(
+    "the critical step stays within 30 % of that of full cells wherever the surface is, with every mass but the "
+    "consistent one alone",
+    "[stability][dynamics]") {
   for (const std::string volumes : {"clipped", "fitted"})
     for (const std::vector<std::string>& mass : std::vector<std::vector<std::string>>{
              {"analysis.mass=lumped"}, {"analysis.mass=partly_lumped"}, {"analysis.mass=consistent", "ghost=0.01"}}) {

@@ -22,9 +22,10 @@ double spurious_acceleration(int rows, const std::string& volumes) {
 
 }  // namespace
 
-TEST_CASE("the squeezed column stays at rest with fitted weights; with volumes it is torn by more than g/2, twice that "
-          "on every finer grid",
-          "[verification][dynamics][fitted]") {
+TEST_CASE(
+    "the squeezed column stays at rest with fitted weights; with volumes it is torn by more than g/2, twice that "
+    "on every finer grid",
+    "[verification][dynamics][fitted]") {
   double before = 0.0;
   for (const int rows : {8, 16, 32}) {
     const double plain = spurious_acceleration(rows, "clipped");

@@ -54,14 +54,14 @@ struct DynamicRecord {
   std::vector<ErrorNorms::OverTime> errors_over_time;  ///< with an exact solution and a history
   double smallest_step = 0.0;                          ///< Δt [s]
   double largest_step = 0.0;
-  double critical_step_at_start = 0.0;  ///< 2/√λ_max(M⁻¹K), (Y.13) [s]
-  double smallest_critical_step = 0.0;  ///< of those that were measured
-  double time_of_smallest = 0.0;        ///< [s]
-  double courant = 0.0;                 ///< Δt √((λ+2μ)/ρ)/h at the start, h the smallest cell
-  Index dropped = 0;                    ///< points that left the grid and were dropped
+  double critical_step_at_start = 0.0;    ///< 2/√λ_max(M⁻¹K), (Y.13) [s]
+  double smallest_critical_step = 0.0;    ///< of those that were measured
+  double time_of_smallest = 0.0;          ///< [s]
+  double courant = 0.0;                   ///< Δt √((λ+2μ)/ρ)/h at the start, h the smallest cell
+  Index dropped = 0;                      ///< points that left the grid and were dropped
   std::optional<WeightReport> weights{};  ///< of all fits; with fitted weights alone
-  long critical_step_iterations = 0;    ///< products K w
-  long mass_iterations = 0;             ///< of conjugate gradients
+  long critical_step_iterations = 0;      ///< products K w
+  long mass_iterations = 0;               ///< of conjugate gradients
 };
 
 struct DynamicOptions {
