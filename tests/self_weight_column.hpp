@@ -10,22 +10,21 @@ namespace shoreline::test {
 /// Case of the column of 1 m on blocks of 0.8 : 1, 1/rows high, with an empty one above its top; partly lumped and pic.
 inline Case column_case(int rows, const std::vector<std::string>& overrides) {
   const double width = 0.8 / rows;
-  std::vector<std::string> keys{
-      fmt::format("grid.cell_size=[{}, {}]", width, 1.0 / rows),
-      fmt::format("grid.upper=[{}, {}]", width, 1.0 + 1.0 / rows),
-      fmt::format("boundaries.0.points=[[0, 0], [{}, 0]]", width),
-      fmt::format("boundaries.1.points=[[{0}, 0], [{0}, 1]]", width),
-      fmt::format("boundaries.2.points=[[{}, 1], [0, 1]]", width),
-      fmt::format("probes.0.position=[{}, 0.5]", 0.5 * width),
-      fmt::format("analysis.time_step={}", 4e-3 / rows),
-      "analysis.mass=partly_lumped",
-      "analysis.transfer=pic",
-      "analysis.end_time=1"};
+  std::vector<std::string> keys{fmt::format("grid.cell_size=[{}, {}]", width, 1.0 / rows),
+                                fmt::format("grid.upper=[{}, {}]", width, 1.0 + 1.0 / rows),
+                                fmt::format("boundaries.0.points=[[0, 0], [{}, 0]]", width),
+                                fmt::format("boundaries.1.points=[[{0}, 0], [{0}, 1]]", width),
+                                fmt::format("boundaries.2.points=[[{}, 1], [0, 1]]", width),
+                                fmt::format("probes.0.position=[{}, 0.5]", 0.5 * width),
+                                fmt::format("analysis.time_step={}", 4e-3 / rows),
+                                "analysis.mass=partly_lumped",
+                                "analysis.transfer=pic",
+                                "analysis.end_time=1"};
   keys.insert(keys.end(), overrides.begin(), overrides.end());
   return read_case(std::string(SHORELINE_EXAMPLES) + "/soil_column/large.json", keys);
 }
 
-inline constexpr double column_weight = 9810.0;            ///< σ₀ = ρ g H [Pa]
+inline constexpr double column_weight = 9810.0;              ///< σ₀ = ρ g H [Pa]
 inline constexpr double column_kappa = column_weight / 2e5;  ///< κ = ρ g H/(2 E)
 
 /// Brings a column at rest to the equilibrium of its own weight, y/H = ξ(1 − 2κ) + κ ξ², σ = −ρ g (H − X), with its

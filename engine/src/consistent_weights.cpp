@@ -14,13 +14,13 @@ namespace {
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
 constexpr double bound = 0.05;       ///< β: least weight, in parts of the plain one
-constexpr double tolerance = 1e-9;   ///< of the residual, in parts of the largest right side
-constexpr double firm = 1e-8;       ///< ε of (W.7), in parts of the largest diagonal of its rows
+constexpr double tolerance = 1e-6;   ///< of the residual, in parts of the largest right side
+constexpr double firm = 1e-8;        ///< ε of (W.7), in parts of the largest diagonal of its rows
 constexpr double soft = 1e-3;        ///< and of (W.8)
 constexpr double contraction = 0.5;  ///< of the residual in an iteration, for which old factors are good enough
-constexpr double sufficient = 1e-4;  ///< share of the slope by which a step must lower the energy
+constexpr double flat = 0.1;         ///< slope at the end of a search, in parts of that at its start
 constexpr int most_iterations = 100;
-constexpr int most_halvings = 30;
+constexpr int most_bisections = 30;
 
 }  // namespace
 
@@ -37,7 +37,6 @@ struct ConsistentWeights::State {
   Eigen::VectorXd multiplier;
   Eigen::VectorXd weight;    ///< in the order of cells
   Eigen::VectorXd residual;  ///< A w − r + ε λ
-  double energy = 0.0;       ///< of which it is the gradient
 
   [[nodiscard]] double size() const { return residual.cwiseAbs().maxCoeff(); }
 };
@@ -48,10 +47,6 @@ void ConsistentWeights::evaluate(const WeightConstraints& constraints, const Eig
   const Eigen::ArrayXd free = (1.0 + change).max(bound);
   state.weight = plain.array() * free;
   state.residual = constraints.sums(state.weight) - right_side_ + softness_.cwiseProduct(state.multiplier);
-  // ∫ max(β, 1 + s) ds from the kink s = β − 1
-  const Eigen::ArrayXd bent = change - (bound - 1.0);
-  state.energy = (plain.array() * (bound * bent + 0.5 * bent.max(0.0).square())).sum() -
-                 right_side_.dot(state.multiplier) + 0.5 * softness_.dot(state.multiplier.cwiseAbs2());
 }
 
 /// A diag(w) Aᵀ.
@@ -74,29 +69,43 @@ void ConsistentWeights::factorise(const WeightConstraints& constraints, const Ei
 Eigen::VectorXd ConsistentWeights::newton_step(const Eigen::VectorXd& residual) const {
   Eigen::VectorXd reduced(assembler_.equations());
   for (Index e = 0; e < assembler_.equations(); ++e) reduced[e] = residual[assembler_.unknown(e)];
-  reduced = solver_.solve(reduced);
+  reduced = solver_.refined(reduced, Eigen::VectorXd::Zero(reduced.size()));
   Eigen::VectorXd step = Eigen::VectorXd::Zero(residual.size());
   for (Index e = 0; e < assembler_.equations(); ++e) step[assembler_.unknown(e)] = -reduced[e];
   return step;
 }
 
+/// The place along a direction of descent where the energy is least, nearly: its slope there, which grows along the
+/// way, is below a tenth of that at the start.
+ConsistentWeights::State ConsistentWeights::search(const WeightConstraints& constraints, const Eigen::VectorXd& plain,
+                                                   const State& from, const Eigen::VectorXd& step) const {
+  const double slope = step.dot(from.residual);
+  double low = 0.0, high = 1.0, share = 1.0;
+  State next;
+  for (int k = 0; k < most_bisections; ++k) {
+    next.multiplier = from.multiplier + share * step;
+    evaluate(constraints, plain, next);
+    const double here = step.dot(next.residual);
+    if (std::abs(here) <= flat * std::abs(slope) || (share == 1.0 && here < 0.0)) break;
+    (here < 0.0 ? low : high) = share;
+    share = 0.5 * (low + high);
+  }
+  return next;
+}
+
 /// One iteration; with old factors that do not serve it changes nothing but that they are to be renewed.
 void ConsistentWeights::advance(const WeightConstraints& constraints, const Eigen::VectorXd& plain, State& state) {
-  const bool old = has_factors_;
-  if (!old) factorise(constraints, plain, state);
-  const Eigen::VectorXd step = newton_step(state.residual);
-  State next{.multiplier = state.multiplier + step, .weight = {}, .residual = {}};
-  evaluate(constraints, plain, next);
-  const auto contracts = [&] { return next.size() <= contraction * state.size(); };
-  const double slope = sufficient * step.dot(state.residual);
-  double share = 1.0;
-  for (int k = 0; !old && k < most_halvings && !contracts() && next.energy > state.energy + share * slope; ++k) {
-    share *= 0.5;
-    next.multiplier = state.multiplier + share * step;
+  if (std::exchange(has_factors_, true)) {
+    State next{.multiplier = state.multiplier + newton_step(state.residual), .weight = {}, .residual = {}};
     evaluate(constraints, plain, next);
+    has_factors_ = next.size() <= contraction * state.size();
+    if (has_factors_) state = std::move(next);
+    return;
   }
-  has_factors_ = contracts();
-  if (has_factors_ || !old) state = std::move(next);
+  factorise(constraints, plain, state);
+  const double before = state.size();
+  state = search(constraints, plain, state, newton_step(state.residual));
+  has_factors_ = state.size() <= contraction * before;
 }
 
 void ConsistentWeights::find_softness(const WeightConstraints& constraints, const Eigen::VectorXd& plain) {
@@ -119,6 +128,7 @@ void ConsistentWeights::start(const WeightConstraints& constraints, const Eigen:
   }
   if (seen_ == constraints.seen()) return;
   has_factors_ = false;
+  trend_.setZero(constraints.rows());
   seen_ = constraints.seen();
   for (Eigen::Index row = 0; row < multiplier_.size(); ++row)
     if (seen_[static_cast<std::size_t>(row / (2 * constraints.moments()))] == 0) multiplier_[row] = 0.0;
@@ -132,7 +142,7 @@ Eigen::VectorXd ConsistentWeights::fit(const Basis& basis, const MaterialPoints&
   right_side_ = constraints.right_side(edges);
   start(constraints, plain);
 
-  State state{.multiplier = multiplier_, .weight = {}, .residual = {}};
+  State state{.multiplier = multiplier_ + trend_, .weight = {}, .residual = {}};
   evaluate(constraints, plain, state);
   const double largest = right_side_.cwiseAbs().maxCoeff();
   for (; state.size() > tolerance * largest; ++report_.iterations) {
@@ -143,6 +153,7 @@ Eigen::VectorXd ConsistentWeights::fit(const Basis& basis, const MaterialPoints&
           state.size() / largest, most_iterations, tolerance));
     advance(constraints, plain, state);
   }
+  trend_ = state.multiplier - multiplier_;
   multiplier_ = state.multiplier;
   report_.bounded = static_cast<Index>((state.weight.array() <= bound * plain.array()).count());
   report_.changed = static_cast<double>(((state.weight - plain).array().abs() > 0.1 * plain.array()).count()) /

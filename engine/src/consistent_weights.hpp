@@ -32,12 +32,15 @@ class ConsistentWeights {
   void find_softness(const WeightConstraints& constraints, const Eigen::VectorXd& plain);
   void assemble(const WeightConstraints& constraints, const Eigen::VectorXd& weight);
   void evaluate(const WeightConstraints& constraints, const Eigen::VectorXd& plain, State& state) const;
+  [[nodiscard]] State search(const WeightConstraints& constraints, const Eigen::VectorXd& plain, const State& from,
+                             const Eigen::VectorXd& step) const;
   void advance(const WeightConstraints& constraints, const Eigen::VectorXd& plain, State& state);
   void factorise(const WeightConstraints& constraints, const Eigen::VectorXd& plain, const State& state);
   [[nodiscard]] Eigen::VectorXd newton_step(const Eigen::VectorXd& residual) const;
 
   Consistency consistency_;
   Eigen::VectorXd multiplier_;  ///< λ [1/m]
+  Eigen::VectorXd trend_;       ///< its change in the fit before, with which the next one starts
   Eigen::VectorXd right_side_;
   Eigen::VectorXd softness_;  ///< ε of every row; found at the first fit, as ∫ |∇φ|² knows no length in the plane
   Assembler assembler_;

@@ -21,9 +21,11 @@ WeightConstraints::WeightConstraints(Consistency consistency, const Basis& basis
                                      const PointSupports& supports)
     : moments_(consistency == Consistency::linear ? 3 : 1), basis_(basis), points_(points), supports_(supports) {
   const Index parts = basis.grid().parts();
+  h_.assign(at(basis.functions()), 0.0);
   for (Index c = 0; c < supports.cells(); ++c) {
     const Index cell = supports.cell[at(c)];
-    h_ = std::max(h_, basis.grid().size(cell));
+    const double size = basis.grid().size(cell);
+    for (const Index f : basis.functions_of(cell)) h_[at(f)] = std::max(h_[at(f)], size);
     if (c > 0 && supports.cell[at(c - 1)] / parts == cell / parts)
       ++element_.back().last_cell;
     else
@@ -38,8 +40,9 @@ ShortIndices WeightConstraints::functions_of(const Element& element) const {
   return basis_.functions_of(supports_.cell[at(element.first_cell)]);
 }
 
-Eigen::Vector3d WeightConstraints::shape(const Vec2& x, const Vec2& centre) const {
-  return {1.0, (x.x() - centre.x()) / h_, (x.y() - centre.y()) / h_};
+Eigen::Vector3d WeightConstraints::shape(Index function, const Vec2& x, const Vec2& centre) const {
+  const double h = h_[at(function)];
+  return {1.0, (x.x() - centre.x()) / h, (x.y() - centre.y()) / h};
 }
 
 template <class Use>
@@ -68,7 +71,7 @@ Eigen::VectorXd WeightConstraints::right_side(const std::vector<Edge>& edges) co
       const Support support = basis_.support(edge.support_cell[edge.segment_of(k)], p.x);
       for (Eigen::Index a = 0; a < support.function.size(); ++a) {
         const Index f = support.function[a];
-        const Eigen::Vector3d s = shape(p.x, basis_.control_point(f));
+        const Eigen::Vector3d s = shape(f, p.x, basis_.control_point(f));
         for (int m = 0; m < moments_; ++m)
           side.segment<2>(2 * (moments_ * f + m)) -= p.weight * support.value[a] * s[m] * p.normal;
       }
@@ -80,7 +83,7 @@ Eigen::VectorXd WeightConstraints::right_side(const std::vector<Edge>& edges) co
     for (Index k = supports_.first[at(c)]; k < supports_.first[at(c) + 1]; ++k)
       for (std::size_t a = 0; a < n; ++a) {
         const Index f = functions[static_cast<Eigen::Index>(a)];
-        const double part = points_.volume[supports_.point[at(k)]] * supports_.value[at(k) * n + a] / h_;
+        const double part = points_.volume[supports_.point[at(k)]] * supports_.value[at(k) * n + a] / h_[at(f)];
         side[2 * (3 * f + 1)] -= part;
         side[2 * (3 * f + 2) + 1] -= part;
       }
@@ -98,7 +101,7 @@ Eigen::VectorXd WeightConstraints::at_points(const Eigen::VectorXd& multiplier) 
     for_points(element_[e], [&](Index k, const Vec2& x, const ShortGradients& gradient) {
       double sum = 0.0;
       for (Eigen::Index a = 0; a < functions.size(); ++a) {
-        const Eigen::Vector3d s = shape(x, centre.col(a));
+        const Eigen::Vector3d s = shape(functions[a], x, centre.col(a));
         for (int m = 0; m < moments_; ++m)
           sum += s[m] * gradient.col(a).dot(multiplier.segment<2>(2 * (moments_ * functions[a] + m)));
       }
@@ -118,7 +121,7 @@ Eigen::VectorXd WeightConstraints::sums(const Eigen::VectorXd& weight) const {
     part[e] = Rows::Zero(2 * moments_ * functions.size());
     for_points(element_[e], [&](Index k, const Vec2& x, const ShortGradients& gradient) {
       for (Eigen::Index a = 0; a < functions.size(); ++a) {
-        const Eigen::Vector3d s = shape(x, centre.col(a));
+        const Eigen::Vector3d s = shape(functions[a], x, centre.col(a));
         for (int m = 0; m < moments_; ++m)
           part[e].segment<2>(2 * (moments_ * a + m)) += weight[k] * s[m] * gradient.col(a);
       }
@@ -149,7 +152,7 @@ void WeightConstraints::blocks(const Eigen::VectorXd& weight, ElementBlocks& blo
     Eigen::MatrixXd root(2 * moments_ * functions.size(), supports_.first[at(element_[e].last_cell)] - first);
     for_points(element_[e], [&](Index k, const Vec2& x, const ShortGradients& gradient) {
       for (Eigen::Index a = 0; a < functions.size(); ++a) {
-        const Eigen::Vector3d s = shape(x, basis_.control_point(functions[a]));
+        const Eigen::Vector3d s = shape(functions[a], x, basis_.control_point(functions[a]));
         for (int m = 0; m < moments_; ++m)
           root.col(k - first).segment<2>(2 * (moments_ * a + m)) = std::sqrt(weight[k]) * s[m] * gradient.col(a);
       }

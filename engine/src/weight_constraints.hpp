@@ -18,7 +18,7 @@ enum class Consistency {
 };
 
 /// The constraints at one state of the points. Row (i, m, b) of a function i has the number 2(M i + m) + b; at a point
-/// it is s_m ∂_b φ_i with s = 1, (x − X_i)/h, (y − Y_i)/h. M is 1 for divergence consistency and 3 for linear
+/// it is s_m ∂_b φ_i with s = 1, (x − X_i)/h_i, (y − Y_i)/h_i. M is 1 for divergence consistency and 3 for linear
 /// consistency. Sums run over elements and functions in a fixed order.
 class WeightConstraints {
  public:
@@ -53,13 +53,13 @@ class WeightConstraints {
   template <class Use>
   void for_points(const Element& element, Use&& use) const;
   [[nodiscard]] ShortIndices functions_of(const Element& element) const;
-  [[nodiscard]] Eigen::Vector3d shape(const Vec2& x, const Vec2& centre) const;
+  [[nodiscard]] Eigen::Vector3d shape(Index function, const Vec2& x, const Vec2& centre) const;
 
   int moments_;
   const Basis& basis_;
   const MaterialPoints& points_;
   const PointSupports& supports_;
-  double h_ = 0.0;  ///< largest size of an occupied cell [m]
+  std::vector<double> h_;  ///< (functions) largest size of a cell with points that sees the function [m]
   std::vector<Element> element_;
   std::vector<char> seen_;
 };

@@ -55,6 +55,41 @@ for columns, rows in ((1, 8), (2, 16)):
         if columns == 1:
             drawn[f"{mass}, {transfer}"] = middle, last
 
+print("\n# One block wide to t = 1 s: volumes as weights, and weights that are fitted to the outline")
+table("blocks", "basis, mass, transfer", "weights", "u [% of κH]", "v [% of 2κc]", "σ [% of σ₀]",
+      "critical step, smallest [s]", "energy gained [% of the strain energy swung]", "share of the fit in the time",
+      "seconds")
+
+
+def strip(rows):
+    """The large column one block wide, which its walls allow."""
+    width = 0.8 / rows
+    corners = [[0, 0], [width, 0], [width, 1], [0, 1]]
+    return {"grid.cell_size": [width, 1 / rows], "grid.upper": [width, 1 + 1 / rows],
+            "probes.0.position": [width / 2, 0.5], "analysis.end_time": 1, "analysis.time_step": 4e-3 / rows} | {
+                f"boundaries.{k}.points": [corners[k], corners[(k + 1) % 4]] for k in range(4)}
+
+
+SCHEMES = {"Powell-Sabin, partly lumped, pic": {"analysis.mass": "partly_lumped", "analysis.transfer": "pic"},
+           "Powell-Sabin, consistent, ghost 0.01, pic": {"analysis.mass": "consistent", "ghost": 0.01,
+                                                         "analysis.transfer": "pic"},
+           "linear, lumped, flip": {"grid.basis": "linear", "analysis.mass": "lumped"}}
+for scheme, settings in SCHEMES.items():
+    for volumes in ("clipped", "fitted"):
+        for rows in (8, 16, 32) if "ghost" not in settings else (8, 16):
+            summary, _, _ = run_to(strip(rows) | settings | {"material_points.volumes": volumes})
+            if isinstance(summary, str):
+                print(f"\n{rows} {scheme} {volumes}: {summary.strip()}\n")
+                continue
+            over = [summary["errors"]["over_time"][of]["mean_rms"] for of in ("displacement", "velocity", "stress")]
+            energy = [summary["energy"][end]["total"] for end in ("start", "end")]
+            time = summary["timings"]
+            row(f"1 x {rows}", scheme, volumes,
+                *(f"{100 * e / s:.2f}" for e, s in zip(over, (KAPPA, 2 * KAPPA * SPEED, WEIGHT))),
+                f"{summary['dynamics']['smallest_critical_step']:.2e}",
+                f"{100 * (energy[1] - energy[0]) / (64.2 * 8 / rows):.2f}",
+                f"{time.get('weights', 0.0) / time['total']:.2f}", seconds(summary))
+
 print("\n# At rest (equilibrium.json): RMS error of the stress, % of σ₀, and of u, relative")
 table("mass", "transfer", "stress", "u", "seconds")
 for mass, transfer in (("partly_lumped", "flip"), ("partly_lumped", "pic"), ("lumped", "flip")):

@@ -125,7 +125,7 @@ TEST_CASE("mass and force on the grid are the sums over points that (Y.2) and (Y
     const Eigen::Matrix2Xd load = Eigen::Matrix2Xd::Random(2, swarm.points.size());
     PointPasses passes(*swarm.basis, swarm.table);
     GridSums sums;
-    passes.mass_and_force({swarm.points, swarm.motion}, swarm.cells, load, false, sums);
+    passes.mass_and_force({swarm.points, swarm.motion, swarm.points.volume}, swarm.cells, load, false, sums);
     for (Index p = 0; p < swarm.points.size(); ++p) {
       const Support support = swarm.support(p);
       Mat2 stress;
@@ -148,7 +148,7 @@ TEST_CASE("points gain Δt Σ a φ, and the grid their momentum", "[engine][spee
     const Eigen::Matrix2Xd before = swarm.motion.velocity;
     PointPasses passes(*swarm.basis, swarm.table);
     Eigen::Matrix2Xd momentum;
-    passes.accelerate({swarm.points, swarm.motion}, swarm.cells, acceleration, 0.3, momentum);
+    passes.accelerate({swarm.points, swarm.motion, swarm.points.volume}, swarm.cells, acceleration, 0.3, momentum);
     for (Index p = 0; p < swarm.points.size(); ++p) {
       const Support support = swarm.support(p);
       const Vec2 expected = before.col(p) + 0.3 * support.interpolate(acceleration);
@@ -168,8 +168,8 @@ TEST_CASE("points move by the field, and D by its gradient", "[engine][speed]") 
     const PointMotion motion = swarm.motion;
     PointPasses passes(*swarm.basis, swarm.table);
     const std::vector<Index> cell = swarm.cell;
-    const MotionReport report =
-        passes.move({swarm.points, swarm.motion}, swarm.cells, *law, {velocity, 1e-3, 0.25}, swarm.cell);
+    const MotionReport report = passes.move({swarm.points, swarm.motion, swarm.points.volume}, swarm.cells, *law,
+                                            {velocity, 1e-3, 0.25}, swarm.cell);
     CHECK(report.fault == Fault::none);
     for (Index p = 0; p < points.size(); ++p) {
       const Support support = swarm.basis->support(cell[static_cast<std::size_t>(p)], points.position.col(p));

@@ -130,7 +130,12 @@ double bytes_of(const DynamicScene& scene, const PointSupports& cells) {
   const double table = elements * n * (12.0 + (matrix ? 4.0 * n : 0.0)) + scene.body.basis->grid().cells() * (n + 5.0);
   const double row = matrix ? 12.0 * 3.0 * n : 0.0;
   constexpr double program = 2.2e7;
-  return program + points * per_point + cells.cells() * block + table + functions * (row + 8.0 * 16.0);
+  // fitted: values and gradients at the points, blocks of 6 n rows and their places, matrix, its copy and factors
+  const double occupied = static_cast<double>(cells.cells()) / scene.body.basis->grid().parts();
+  const double fitted = scene.body.fitted ? points * 8.0 * (3.0 * n + 6.0) + occupied * 18.0 * n * n * 12.0 +
+                                                functions * 6.0 * 18.0 * n * 60.0
+                                          : 0.0;
+  return fitted + program + points * per_point + cells.cells() * block + table + functions * (row + 8.0 * 16.0);
 }
 
 }  // namespace
