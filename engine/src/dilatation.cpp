@@ -1,6 +1,5 @@
 #include "shoreline/engine/dilatation.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -76,14 +75,22 @@ Eigen::Index place_of(const std::vector<Index>& functions, Index function) {
   return 2 * (std::ranges::lower_bound(functions, function) - functions.begin());
 }
 
-/// Combinations of monomials with Σ V q qᵀ = I, from the mass matrix of the monomials. What the points of a patch
-/// hardly tell apart is left out.
+/// Combinations of monomials with Σ V q qᵀ = I, from the mass matrix of the monomials: the first is the constant, each
+/// next one takes in the monomial that is farthest from those before. What the points hardly tell apart is left out.
 Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& mass) {
   constexpr double told_apart = 1e-3;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(mass);
-  const Eigen::VectorXd& value = eigen.eigenvalues();
-  const Eigen::Index kept = (value.array() > told_apart * value.maxCoeff()).count();
-  return value.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal() * eigen.eigenvectors().rightCols(kept).transpose();
+  Eigen::MatrixXd q = Eigen::MatrixXd::Zero(mass.rows(), mass.cols());
+  Eigen::VectorXd distance = mass.diagonal();  // squared, from the span of q
+  Eigen::Index kept = 0;
+  for (Eigen::Index next = 0; kept < mass.rows(); ++kept, distance.maxCoeff(&next)) {
+    if (!(distance[next] > told_apart * mass(0, 0))) break;
+    Eigen::VectorXd row = Eigen::VectorXd::Unit(mass.rows(), next);
+    row -= q.topRows(kept).transpose() * (q.topRows(kept) * mass.col(next));
+    row /= std::sqrt(row.dot(mass * row));
+    q.row(kept) = row;
+    distance -= (mass * row).cwiseAbs2();
+  }
+  return q.topRows(kept);
 }
 
 DilatationPatch make_patch(const PatchPoints& all, const PolynomialSpace& polynomials) {
