@@ -76,35 +76,33 @@ MacroElements stars(const Grid& grid, PolynomialSpace polynomials) {
   return groups;
 }
 
-/// Gives each element without a group to the smallest one beside it, until all have one; where none is beside any, one
-/// more begins.
+/// Gives each element without a group to the smallest one beside it, round by round outward, until all have one; where
+/// none is beside any, one more begins.
 void fill_between(const Grid& grid, MacroElements& groups) {
   std::vector<Index> size(at(groups.count), 0);
-  std::vector<Index> left;
-  for (std::size_t e = 0; e < groups.of_element.size(); ++e)
-    if (const Index group = groups.of_element[e]; group >= 0)
-      ++size[at(group)];
-    else
-      left.push_back(static_cast<Index>(e));
-  while (!left.empty()) {
-    std::vector<Index> still;
-    for (const Index element : left) {
-      Index& group = groups.of_element[at(element)];
-      for (const Index other : neighbours_of(grid, element)) {
-        const Index theirs = groups.of_element[at(other)];
-        if (theirs >= 0 && (group < 0 || size[at(theirs)] < size[at(group)])) group = theirs;
-      }
+  for (const Index group : groups.of_element)
+    if (group >= 0) ++size[at(group)];
+  for (bool complete = false; !complete;) {
+    const std::vector<Index> before = groups.of_element;
+    complete = true;
+    Index unreached = -1;
+    bool grown = false;
+    for (std::size_t e = 0; e < before.size(); ++e) {
+      if (before[e] >= 0) continue;
+      Index& group = groups.of_element[e];
+      for (const Index other : neighbours_of(grid, static_cast<Index>(e)))
+        if (const Index theirs = before[at(other)]; theirs >= 0 && (group < 0 || size[at(theirs)] < size[at(group)]))
+          group = theirs;
+      complete = complete && group >= 0;
+      grown = grown || group >= 0;
       if (group >= 0)
         ++size[at(group)];
-      else
-        still.push_back(element);
+      else if (unreached < 0)
+        unreached = static_cast<Index>(e);
     }
-    if (still.size() == left.size()) {
-      groups.of_element[at(still.front())] = groups.count++;
-      size.push_back(1);
-      still.erase(still.begin());
-    }
-    left = std::move(still);
+    if (complete || grown) continue;
+    groups.of_element[at(unreached)] = groups.count++;
+    size.push_back(1);
   }
 }
 
