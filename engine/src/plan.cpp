@@ -60,6 +60,7 @@ std::string left_out(const Case& problem) {
     if (!named) text += fmt::format("  {:<20}{}\n", effect, why);
   };
   unless(problem.body_force || problem.gravity, "body force", "no key body_force or gravity");
+  unless(problem.material.projected_dilatation, "projected dilatation", "material.dilatation is plain");
   unless(problem.ghost > 0.0, "ghost penalty", "ghost is 0");
   unless(problem.exact.has_value(), "errors", "no key exact");
   unless(!problem.probes.empty(), "probes", "no key probes");

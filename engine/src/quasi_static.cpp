@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "body_boundary.hpp"
+#include "effects/slip_points.hpp"
 #include "fitted_volumes.hpp"
 #include "motion_check.hpp"
 #include "prescribed.hpp"
@@ -62,6 +63,26 @@ void move_points(const Scene& scene, const PointSupports& supports, const Eigen:
   }
 }
 
+/// The projected dilatation, where the material asks for it: bodies slip over the edges whose supports act in a band.
+std::optional<Dilatation> project_dilatation(const Scene& scene, const PointSupports& supports,
+                                             const std::vector<Edge>& edges, const Eigen::Matrix2Xd& prescribed) {
+  if (!scene.projected) return {};
+  Dilatation dilatation(*scene.basis, *scene.projected, scene.points, supports);
+  for (std::size_t k = 0; k < edges.size(); ++k) {
+    const auto* held = std::get_if<Essential>(&scene.boundary[k].condition);
+    if (held != nullptr && held->method != EssentialMethod::grid)
+      dilatation.let_slip(edges[k], slip_points(*scene.basis, edges[k]), prescribed);
+  }
+  return dilatation;
+}
+
+/// Brings stresses, which a step updates with the points' own dilatation, to the projected one, (I.6).
+void project_stresses(const Dilatation& dilatation, const PointSupports& supports, const Eigen::Matrix2Xd& increment,
+                      MaterialPoints& points) {
+  const Eigen::RowVectorXd correction = dilatation.correction(points, supports, increment);
+  for (const Eigen::Index normal : {0, 1, 3}) points.stress.row(normal) += correction;
+}
+
 /// Points that are too few to integrate functions of a higher degree leave errors that no refinement removes. The parts
 /// of an element have points of their own, and functions that are linear or quadratic there.
 void warn_few_points(const Basis& basis, const PointSupports& supports, std::vector<std::string>& warnings) {
@@ -75,12 +96,27 @@ void warn_few_points(const Basis& basis, const PointSupports& supports, std::vec
       mean, basis.degree(), wanted, basis.degree() + 1));
 }
 
+/// Poisson's ratio follows from the tangent in plane strain; in plane stress D₀₁/(D₀₀ + D₀₁) is at most 1/3.
+void warn_nearly_incompressible(const Scene& scene, std::vector<std::string>& warnings) {
+  constexpr double limit = 0.45;
+  const Mat3 tangent = scene.material->tangent(Stress::Zero());
+  const double ratio = tangent(0, 1) / (tangent(0, 0) + tangent(0, 1));
+  if (scene.projected || !(ratio > limit)) return;
+  warnings.push_back(
+      fmt::format("with Poisson's ratio {:.6g} the body is nearly incompressible: displacements come out too small and "
+                  "pressures oscillate. Set material.dilatation to \"projected\"",
+                  ratio));
+}
+
 void run_step(Scene& scene, int step, const QuasiStaticOptions& options, Workspace& work, RunRecord& record) {
   Clock& clock = record.phases;
   work.supports =
       clock.time("support", [&] { return locate_points(*scene.basis, scene.points, std::move(work.supports)); });
   const PointSupports& supports = work.supports;
-  if (step == 1) warn_few_points(*scene.basis, supports, record.warnings);
+  if (step == 1) {
+    warn_few_points(*scene.basis, supports, record.warnings);
+    warn_nearly_incompressible(scene, record.warnings);
+  }
   const std::vector<Edge> edges = clock.time("boundary", [&] { return make_edges(scene, supports, record); });
   if (scene.fitted)
     record.weights =
@@ -91,7 +127,11 @@ void run_step(Scene& scene, int step, const QuasiStaticOptions& options, Workspa
       clock.time("boundary", [&] { return prescribed_increment(scene, edges, t, t_before, record.fit_errors); });
   const std::vector<Constraint> constraints =
       clock.time("boundary", [&] { return grid_constraints(*scene.basis, scene.boundary, edges, prescribed); });
-  const StepState state{*scene.basis, scene.points, supports, edges, scene.loading, t, t_before, prescribed};
+  const std::optional<Dilatation> dilatation =
+      clock.time("support", [&] { return project_dilatation(scene, supports, edges, prescribed); });
+  const StepState state{*scene.basis, scene.points,  supports,
+                        edges,        scene.loading, t,
+                        t_before,     prescribed,    dilatation ? &*dilatation : nullptr};
 
   const Eigen::Matrix2Xd increment = solve_step(scene, state, constraints, options, work.system, record);
   record.largest_increment = increment.size() == 0 ? 0.0 : increment.cwiseAbs().maxCoeff();
@@ -109,6 +149,7 @@ void run_step(Scene& scene, int step, const QuasiStaticOptions& options, Workspa
     }
     now.reactions.insert(work.grid_reactions.begin(), work.grid_reactions.end());
     record.resultants = std::move(now);
+    if (dilatation) project_stresses(*dilatation, supports, increment, scene.points);
     move_points(scene, supports, increment, scene.points);
     move_boundary(scene, edges, increment);
   });

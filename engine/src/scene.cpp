@@ -17,7 +17,7 @@
 namespace shoreline {
 namespace {
 
-void add_boundary_effects(Scene& scene) {
+void add_boundary_effects(Scene& scene, const std::shared_ptr<const Material>& law) {
   for (std::size_t k = 0; k < scene.boundary.size(); ++k) {
     const auto piece = static_cast<int>(k);
     const std::string& name = scene.boundary[k].piece.name;
@@ -26,8 +26,7 @@ void add_boundary_effects(Scene& scene) {
         Overloaded{[](const Free&) {}, [&](const Traction& c) { effects.push_back(traction_on(piece, name, c)); },
                    [&](const Pressure& c) { effects.push_back(pressure_on(piece, name, c)); },
                    [&](const Essential& c) {
-                     if (c.method != EssentialMethod::grid)
-                       effects.push_back(essential_on(piece, name, c, scene.material));
+                     if (c.method != EssentialMethod::grid) effects.push_back(essential_on(piece, name, c, law));
                      if (scene.exact)
                        effects.push_back(boundary_error(piece, name, c.normal_only,
                                                         exact_displacement(scene.boundary[k].original, *scene.exact)));
@@ -44,6 +43,14 @@ std::function<Vec2(const PlaceTime&)> force_per_volume(const Case& problem, Load
     const Vec2 force = weight * at.factor;
     return value ? Vec2(force + Vec2((*value)[0](at), (*value)[1](at))) : force;
   };
+}
+
+/// The law that contributions see: without λ, where that part is projected; E/(1 + ν) and 0 have the same μ.
+std::shared_ptr<const Material> law_of_contributions(const Case& problem, Scene& scene) {
+  if (!problem.material.projected_dilatation) return scene.material;
+  scene.projected = {macro_elements(*scene.basis), scene.material->tangent(Stress::Zero())(0, 1)};
+  const double twice_mu = problem.material.youngs_modulus / (1.0 + problem.material.poissons_ratio);
+  return std::make_shared<LinearElastic>(twice_mu, 0.0, problem.plane);
 }
 
 LoadFactor load_factor(const QuasiStatic& analysis) {
@@ -116,10 +123,12 @@ Scene build_scene(const Case& problem) {
   scene.load_steps = analysis.load_steps;
   scene.respacing = problem.respacing;
 
-  scene.contributions.push_back(stiffness_of(scene.material));
+  const std::shared_ptr<const Material> law = law_of_contributions(problem, scene);
+  scene.contributions.push_back(stiffness_of(law));
+  if (scene.projected) scene.contributions.push_back(projected_dilatation());
   if (problem.body_force || problem.gravity)
     scene.contributions.push_back(body_force(force_per_volume(problem, factor)));
-  add_boundary_effects(scene);
+  add_boundary_effects(scene, law);
   if (problem.ghost > 0.0) scene.contributions.push_back(ghost_penalty(problem.ghost, scene.material));
   scene.probes = place_probes(problem, scene);
   return scene;

@@ -57,6 +57,16 @@ TEST_CASE("a case says what it does not leave to defaults", "[engine][case_reade
   CHECK(std::get<LatticeFill>(problem.material_points).per_cell == std::array{2, 3});
 }
 
+TEST_CASE("the dilatation is projected where a case says so; in plane stress that is refused with the reason",
+          "[engine][case_reader]") {
+  CHECK_FALSE(with({}).material.projected_dilatation);
+  CHECK_FALSE(with({"material.dilatation=plain"}).material.projected_dilatation);
+  CHECK(with({"analysis.plane=strain", "material.dilatation=projected"}).material.projected_dilatation);
+  CHECK(pointer_of("material.dilatation=projected") == "/material/dilatation");
+  CHECK(pointer_of("material.dilatation=mean") == "/material/dilatation");
+  CHECK_THROWS_WITH(with({"material.dilatation=projected"}), Contains("plane stress"));
+}
+
 TEST_CASE("what a case leaves out has the default of the table", "[engine][case_reader]") {
   const Case problem = with({});
   CHECK(std::get<QuasiStatic>(problem.analysis).load_steps == 1);

@@ -59,7 +59,11 @@ Schema analysis() {
 }
 
 Schema small_strain_material() {
-  return {Tagged{{{"linear_elastic", Object{elastic(optional, "ρ; needed by `gravity`"), {}}}}}};
+  Object law{elastic(optional, "ρ; needed by `gravity`"), {}};
+  law.keys.push_back(key("dilatation", {Choice{{"plain", "projected"}}}, otherwise("plain"), "",
+                         "`projected`: the change of volume is projected onto few polynomials on groups of cells, "
+                         "without which nearly incompressible bodies (ν near ½) are too stiff; plane strain"));
+  return {Tagged{{{"linear_elastic", law}}}};
 }
 
 Schema large_strain_material() {

@@ -42,7 +42,8 @@ Case::Material read_material(const Node& node) {
   Case::Material material{.law = Case::Law::linear_elastic,
                           .youngs_modulus = node["youngs_modulus"].as<double>(),
                           .poissons_ratio = node["poissons_ratio"].as<double>(),
-                          .density = std::nullopt};
+                          .density = std::nullopt,
+                          .projected_dilatation = node["dilatation"].is("projected")};
   if (node.has("density")) material.density = node["density"].as<double>();
   return material;
 }
@@ -163,6 +164,9 @@ void read_load_steps(const Node& root, const Constants& constants, Case& problem
   problem.plane = root["analysis"]["plane"].is("strain") ? Plane::strain : Plane::stress;
   problem.analysis = read_quasi_static(root["analysis"], constants);
   problem.material = read_material(root["material"]);
+  if (problem.material.projected_dilatation && problem.plane == Plane::stress)
+    root["material"]["dilatation"].place.fail(
+        "found \"projected\", expected \"plain\" in plane stress, where the thickness gives way and no volume is kept");
   problem.ghost = root.has("ghost") ? root["ghost"].as<double>() : ghost_by_default(problem.boundaries, problem.grid);
   read_loads(root, constants, problem);
   if (root.has("probes")) problem.probes = read_probes(root["probes"]);

@@ -100,7 +100,8 @@ void read_dynamics(const Node& root, const Constants& constants, Case& problem) 
   problem.material = {.law = read_law(material["type"]),
                       .youngs_modulus = material["youngs_modulus"].as<double>(),
                       .poissons_ratio = material["poissons_ratio"].as<double>(),
-                      .density = material["density"].as<double>()};
+                      .density = material["density"].as<double>(),
+                      .projected_dilatation = false};
   if (root.has("body_force")) problem.body_force = read_pair(root["body_force"], constants);
   if (root.has("gravity")) read_gravity(root["gravity"], constants, problem);
   if (root.has("initial_velocity")) problem.initial_velocity = read_field(root["initial_velocity"], constants);

@@ -4,6 +4,7 @@
 
 #include "edge_history.hpp"
 #include "shoreline/engine/effects.hpp"
+#include "slip_points.hpp"
 
 namespace shoreline {
 namespace {
@@ -66,6 +67,8 @@ class EssentialEdge final : public Contribution {
         traction = o.traction * moved;
         d -= moved;
       }
+      if (step.dilatation != nullptr)
+        traction += step.dilatation->stress(edge.support_cell[s], p.x, increment) * p.normal;
       const Vec2 slip = o.displacement * d;
       traction += band.share * o.traction * d + band.penalty * o.stiffness * slip;
       Eigen::Vector4d total;
@@ -78,7 +81,7 @@ class EssentialEdge final : public Contribution {
       reaction_ += reaction;
     } else {
       reaction_ = reaction;
-      carried_ = {edge.segments, rule_for(step).point, std::move(now)};
+      carried_ = {edge.segments, slip_rule(step.basis).point, std::move(now)};
     }
   }
 
@@ -106,16 +109,14 @@ class EssentialEdge final : public Contribution {
     return d;
   }
 
-  /// p + 1 points a segment: with more, the penalty holds more than the trace of the basis can follow on a curve.
-  static QuadratureRule rule_for(const StepState& step) { return gauss(step.basis.degree() + 1); }
-
   struct Points {
     std::vector<BoundaryPoint> point;
     std::size_t per_segment;
   };
   static Points points_of(const StepState& step, const Edge& edge) {
-    const QuadratureRule rule = rule_for(step);
-    return {boundary_points(edge.curve, edge.segments, rule), static_cast<std::size_t>(rule.point.size())};
+    std::vector<BoundaryPoint> points = slip_points(step.basis, edge);
+    const std::size_t per_segment = points.size() / edge.segments.size();
+    return {std::move(points), per_segment};
   }
 
   [[nodiscard]] BandIntegrals band_of(const StepState& step, const Segment& segment) const {

@@ -93,7 +93,8 @@ struct Case {
     Law law = Law::linear_elastic;
     double youngs_modulus = 0.0;  ///< [Pa]
     double poissons_ratio = 0.0;
-    std::optional<double> density;  ///< [kg/m³]
+    std::optional<double> density;      ///< [kg/m³]
+    bool projected_dilatation = false;  ///< (I.3); plane strain
   };
   struct ListedPoint {
     Vec2 position;  ///< [m]

@@ -7,6 +7,7 @@
 
 #include "shoreline/boundary/edge.hpp"
 #include "shoreline/boundary/respacing.hpp"
+#include "shoreline/engine/dilatation.hpp"
 #include "shoreline/engine/element_blocks.hpp"
 #include "shoreline/engine/material_points.hpp"
 
@@ -26,6 +27,7 @@ struct StepState {
   double t_before;  ///< at its start; 0 in the first step, before which nothing acts
   /// (2, functions) coefficients of the increment that pieces prescribe, (D.8) [m]; no columns where none does.
   const Eigen::Matrix2Xd& prescribed;
+  const Dilatation* dilatation = nullptr;  ///< none where it is not projected, (I.3)
 
   /// A load that is prescribed as a function of time: its total (residual loading) or its increment, (E.3).
   template <class Value>

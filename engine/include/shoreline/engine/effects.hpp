@@ -14,6 +14,11 @@ namespace shoreline {
 /// The material: K = Σ Bᵀ D B V and internal force Σ Bᵀ σ V, (E.1).
 [[nodiscard]] std::unique_ptr<Contribution> stiffness_of(std::shared_ptr<const Material> material);
 
+/// The part of the stiffness that resists the projected dilatation, λ 𝐆ᵀ𝐆 of every patch, (I.5). The other effects of
+/// the scene take a law without λ; their internal forces are those of the whole stress.
+/// @pre StepState::dilatation
+[[nodiscard]] std::unique_ptr<Contribution> projected_dilatation();
+
 /// A force per volume at the material points, f = Σ Mᵀ b V, (E.2).
 /// @param value  b at a place and time [N/m³]
 [[nodiscard]] std::unique_ptr<Contribution> body_force(std::function<Vec2(const PlaceTime&)> value);

@@ -28,7 +28,8 @@ struct Scene {
   std::unique_ptr<const Basis> basis;
   std::shared_ptr<const Material> material;
   MaterialPoints points;
-  bool fitted = false;  ///< their weights are fitted to the outline at every step
+  std::optional<ProjectedDilatation> projected;  ///< where the material asks for it, (I.3)
+  bool fitted = false;                           ///< their weights are fitted to the outline at every step
   std::vector<BoundaryPiece> boundary;
   std::vector<std::vector<int>> loops;  ///< pieces in order, joined end to start
   std::vector<std::unique_ptr<Contribution>> contributions;
