@@ -9,6 +9,7 @@
 #include "shoreline/engine/failures.hpp"
 #include "step_system.hpp"
 #include "threads.hpp"
+#include "weak_spots.hpp"
 
 namespace shoreline {
 namespace {
@@ -89,6 +90,8 @@ void run_step(Scene& scene, int step, const QuasiStaticOptions& options, Workspa
   const StepState state{*scene.basis, scene.points, supports, edges, scene.loading, t, t_before, prescribed};
 
   const Eigen::Matrix2Xd increment = solve_step(scene, state, constraints, options, work.system, record);
+  if (options.cut_fractions)
+    record.diagnostics = clock.time("diagnostics", [&] { return weak_spots(state, work.system); });
   record.largest_increment = increment.size() == 0 ? 0.0 : increment.cwiseAbs().maxCoeff();
 
   clock.time("update", [&] {

@@ -168,6 +168,7 @@ void read_load_steps(const Node& root, const Constants& constants, Case& problem
   if (root.has("probes")) problem.probes = read_probes(root["probes"]);
   if (root["tracking"].has("respace")) problem.respacing = root["tracking"]["respace"].as<double>();
   problem.condition_estimate = root["diagnostics"]["condition_estimate"].as<bool>();
+  problem.cut_fractions = root["diagnostics"]["cut_fractions"].as<bool>();
   problem.output.every = root["output"]["every"].as<int>();
 }
 

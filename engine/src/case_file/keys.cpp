@@ -117,7 +117,9 @@ Schema solver() {
 
 Schema diagnostics() {
   return {Object{{key("condition_estimate", {Boolean{}}, otherwise(Case{}.condition_estimate), "",
-                      "estimate the condition number of the scaled system")},
+                      "estimate the condition number of the scaled system; a warning above 1e14"),
+                  key("cut_fractions", {Boolean{}}, otherwise(Case{}.cut_fractions), "",
+                      "tell where the system is weak: the smallest cut cell, the smallest pivot, stray points")},
                  {}}};
 }
 

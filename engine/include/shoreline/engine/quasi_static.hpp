@@ -6,6 +6,7 @@
 
 #include "shoreline/boundary/displacement_fit.hpp"
 #include "shoreline/engine/clock.hpp"
+#include "shoreline/engine/diagnostics.hpp"
 #include "shoreline/engine/scene.hpp"
 
 namespace shoreline {
@@ -19,6 +20,7 @@ struct RunRecord {
   Resultants resultants;  ///< at the end of the last step
   std::vector<std::string> warnings;
   std::optional<double> condition_estimate;  ///< of the last step's scaled matrix, where asked for
+  std::optional<Diagnostics> diagnostics;    ///< of the last step, where cut_fractions asked for them
   double extended_share = 0.0;               ///< largest share of a piece served by a neighbour's polynomials
   std::map<std::string, FitError>
       fit_errors;                  ///< by piece that prescribes a displacement, summed over the steps: a bound
@@ -29,6 +31,7 @@ struct RunRecord {
 
 struct QuasiStaticOptions {
   bool condition_estimate = false;
+  bool cut_fractions = false;  ///< and what else tells where the system is weak
   /// Called with the number of a completed step, when points and curves have moved and can go on.
   std::function<void(int)> after_step = [](int) {};
 };

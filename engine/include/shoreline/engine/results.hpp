@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "shoreline/boundary/displacement_fit.hpp"
+#include "shoreline/engine/diagnostics.hpp"
 #include "shoreline/engine/probes.hpp"
 
 namespace shoreline {
@@ -131,6 +132,7 @@ struct Summary {
   std::map<std::string, FitError> displacement_fit;  ///< per piece with a prescribed displacement
   std::vector<Probe> probes;
   std::optional<double> condition_estimate;
+  std::optional<Diagnostics> diagnostics;
   std::vector<std::string> warnings;
   double extended_share = 0.0;  ///< largest share of a piece that lies in cells without material points
   std::map<std::string, long> counters;
