@@ -68,7 +68,7 @@ Discretisation remedied(Type basis, int degree, EssentialMethod method) {
           .degree = degree,
           .method = method,
           .ghost = ghost_for_nitsche(basis, degree),
-          .band = method == EssentialMethod::nitsche ? nitsche_band(basis) : Essential{}.band,
+          .band = method == EssentialMethod::nitsche ? nitsche_band(basis, degree) : Essential{}.band,
           .per_cell = degree == 3 ? 6 : 4};
 }
 

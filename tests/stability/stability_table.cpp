@@ -118,6 +118,11 @@ int main() {
         "The right corner of a diamond reaches into a column of cells by 1e-2, 1e-3, … 1e-12 h; each row has all 11.",
         grazing_corner_sweep(true));
     section("A corner that grazes a cell, without ghost penalty", "The same with γ = 0.", grazing_corner_sweep(false));
+    section(
+        "An edge beside a grid line",
+        "A roller along the plate's left edge leaves a layer of 1e-1, 1e-2, … 1e-12 h beyond a line of the grid; each "
+        "row has all 12. (D.10) gives the band that bears it.",
+        grazing_edge_sweep(true));
     section("Slivers", "A strip of a thousandth of a cell, a hole within a cell, a hole that leaves a thin wall.",
             sliver_sweep(20));
     section(

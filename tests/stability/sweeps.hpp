@@ -22,6 +22,10 @@ struct OffsetChoice {
 /// A corner that reaches into a cell by 1e-2 to 1e-12 cells: one run each.
 [[nodiscard]] std::vector<Row> grazing_corner_sweep(bool ghost);
 
+/// An edge that runs beside a grid line, from 1e-1 to 1e-12 cells beyond it: one run each; ν = 0.2 in plane stress and
+/// ν = 0.4 in plane strain.
+[[nodiscard]] std::vector<Row> grazing_edge_sweep(bool ghost);
+
 /// A body of thickness 1e-3 h, a hole smaller than a cell, two boundaries within one cell.
 [[nodiscard]] std::vector<Row> sliver_sweep(int offsets);
 
