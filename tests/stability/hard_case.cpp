@@ -40,7 +40,8 @@ bool any_says(const std::vector<std::string>& warnings, const char* what) {
 }
 
 void take_over(const Scene& scene, const RunRecord& record, Outcome& outcome) {
-  if (!record.warnings.empty()) outcome.warning = record.warnings[0];
+  for (const std::string& warning : record.warnings)
+    if (outcome.warning.empty() || warning.find("the stiffness is") != std::string::npos) outcome.warning = warning;
   outcome.singular = any_says(record.warnings, "the stiffness is singular");
   outcome.indefinite = any_says(record.warnings, "not positive definite");
   outcome.condition = record.condition_estimate.value_or(1.0);

@@ -37,7 +37,7 @@ struct Discretisation {
 struct Outcome {
   std::string place;          ///< of the grid
   std::string failure;        ///< message of a refusal; empty: it went to its end
-  std::string warning;        ///< the first
+  std::string warning;        ///< on the stiffness, else the first
   bool singular = false;      ///< went on although the matrix was singular, (L.5)
   bool indefinite = false;    ///< Cholesky's factorisation does not exist
   double condition = 0.0;     ///< (L.3)
