@@ -18,8 +18,7 @@ RunRecord run(Scene scene, const QuasiStaticOptions& options) {
   return record;
 }
 
-/// A square of 4 × 4 cells on grid lines, with four points in every cell but those of the last column, where the
-/// second row alone has some.
+/// A square of 4 × 4 cells on grid lines, with four points in every cell but those of the last column.
 Case nearly_empty_column(const std::vector<Vec2>& in_last_column) {
   Case problem = test::compression_case({.side = 4.0, .cells = 4});
   problem.boundaries[1].condition = Case::Free{};
@@ -81,6 +80,14 @@ TEST_CASE("two points hold the functions that they alone see, and are no stray p
   CHECK(found.stray_points == 0);
   CHECK_FALSE(found.first_stray);
   CHECK(found.fewest_points == 2);
+}
+
+TEST_CASE("a point that alone sees one function is no stray point", "[engine][diagnostics]") {
+  Case problem = nearly_empty_column({{1.5, -0.4}, {1.5, -1.4}});  // they share a node of the border
+  problem.ghost = 1e-3;
+  const Diagnostics found = *run(build_scene(problem), {.cut_fractions = true}).diagnostics;
+  CHECK(found.stray_points == 0);
+  CHECK(found.fewest_points == 1);
 }
 
 TEST_CASE("a failure names the cell, its share in the body and the remedy", "[engine][diagnostics]") {
