@@ -1,5 +1,8 @@
 #include "shoreline/boundary/body_moments.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <map>
 #include <string>
 
 #include "shoreline/bases/error.hpp"
@@ -11,14 +14,54 @@ namespace {
 
 constexpr int highest_on_triangles = 2;
 
+BodyMoments sized(std::size_t cells, int order) {
+  const auto n = static_cast<Eigen::Index>(cells);
+  return {.cell = {}, .centre = {2, n}, .whole = Eigen::VectorXd(n), .moment = {monomials(order), n}};
+}
+
+/// Moments about another centre, @p d back from the one they were taken about: ξ becomes ξ + d.
+Eigen::VectorXd shifted(const Eigen::Ref<const Eigen::VectorXd>& moments, const Vec2& d, int order) {
+  const auto place = [](int a, int b) { return monomials(a + b - 1) + b; };
+  const auto binomial = [](int n, int k) {
+    double value = 1.0;
+    for (int i = 1; i <= k; ++i) value *= static_cast<double>(n - k + i) / i;
+    return value;
+  };
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(moments.size());
+  for (int degree = 0; degree <= order; ++degree)
+    for (int b = 0; b <= degree; ++b)
+      for (int i = 0; i <= degree - b; ++i)
+        for (int j = 0; j <= b; ++j)
+          result[place(degree - b, b)] += binomial(degree - b, i) * binomial(b, j) * std::pow(d.x(), degree - b - i) *
+                                          std::pow(d.y(), b - j) * moments[place(i, j)];
+  return result;
+}
+
+/// A frame of cells around the grid takes what bulges out of it, which then counts for the cells at its border.
 BodyMoments of_rectangles(std::span<const SplineCurve> curves, const QuadrilateralGrid& grid, int order) {
-  CellMoments found = cell_moments(curves, grid, order);
-  BodyMoments moments{.cell = std::move(found.cell),
-                      .centre = Eigen::Matrix2Xd(2, found.moment.cols()),
-                      .whole = Eigen::VectorXd::Constant(found.moment.cols(), grid.spacing().prod()),
-                      .moment = std::move(found.moment)};
-  for (Eigen::Index k = 0; k < moments.centre.cols(); ++k)
-    moments.centre.col(k) = grid.corner(moments.cell[static_cast<std::size_t>(k)]) + 0.5 * grid.spacing();
+  const QuadrilateralGrid framed(grid.bounds().lower - grid.spacing(), grid.spacing(),
+                                 {grid.columns() + 2, grid.rows() + 2});
+  const CellMoments found = cell_moments(curves, framed, order);
+  std::map<Index, Eigen::VectorXd> sum;
+  for (std::size_t k = 0; k < found.cell.size(); ++k) {
+    const Index column = found.cell[k] % framed.columns() - 1;
+    const Index row = found.cell[k] / framed.columns() - 1;
+    const Index i = std::clamp(column, 0, grid.columns() - 1);
+    const Index j = std::clamp(row, 0, grid.rows() - 1);
+    const auto moment = found.moment.col(static_cast<Eigen::Index>(k));
+    const bool inside = i == column && j == row;
+    const Vec2 from = Vec2(column - i, row - j).cwiseProduct(grid.spacing());
+    const auto [at, is_new] = sum.try_emplace(i + j * grid.columns(), Eigen::VectorXd::Zero(moment.size()));
+    at->second += inside ? Eigen::VectorXd(moment) : shifted(moment, from, order);
+  }
+  BodyMoments moments = sized(sum.size(), order);
+  Eigen::Index k = 0;
+  for (const auto& [cell, moment] : sum) {
+    moments.cell.push_back(cell);
+    moments.centre.col(k) = grid.corner(cell) + 0.5 * grid.spacing();
+    moments.whole[k] = grid.spacing().prod();
+    moments.moment.col(k++) = moment;
+  }
   return moments;
 }
 
@@ -26,10 +69,9 @@ BodyMoments of_triangles(std::span<const SplineCurve> curves, const TriangleGrid
   if (order < 0 || order > highest_on_triangles)
     throw InvalidArgument("body_moments: the order on triangles must be 0 to 2, got " + std::to_string(order));
   TriangleMoments found = triangle_moments(curves, grid, 1);
-  BodyMoments moments{.cell = std::move(found.sub_cell),
-                      .centre = Eigen::Matrix2Xd(2, found.moment.cols()),
-                      .whole = Eigen::VectorXd(found.moment.cols()),
-                      .moment = found.moment.topRows(monomials(order))};
+  BodyMoments moments = sized(found.sub_cell.size(), order);
+  moments.cell = std::move(found.sub_cell);
+  moments.moment = found.moment.topRows(monomials(order));
   for (Eigen::Index k = 0; k < moments.centre.cols(); ++k) {
     const auto [a, b, c] = corners(grid.mesh(), moments.cell[static_cast<std::size_t>(k)]);
     moments.centre.col(k) = (a + b + c) / 3.0;

@@ -2,7 +2,7 @@
 // Weights of material points that are consistent with the outline of the body.
 
 #include "shoreline/engine/linear_solver.hpp"
-#include "shoreline/engine/results.hpp"
+#include "shoreline/engine/weight_report.hpp"
 #include "weight_constraints.hpp"
 
 namespace shoreline {

@@ -8,6 +8,8 @@
 #include <map>
 #include <numeric>
 
+#include "weak_spots.hpp"
+
 namespace shoreline {
 namespace {
 
@@ -92,14 +94,21 @@ Index points_in(const StepState& step, std::size_t cell) {
 
 std::string count(Index number, const char* one) { return fmt::format("{} {}{}", number, one, number == 1 ? "" : "s"); }
 
-/// Where a cell is, and what it holds.
+/// ", 2.5e-07 of which the body covers,", or nothing where no outline says.
+std::string covered_share(const StepState& step, Index cell) {
+  const std::vector<CutFraction> cuts = cut_fractions(step);
+  const auto cut = std::ranges::find(cuts, cell / step.basis.grid().parts(), &CutFraction::element);
+  return cut == cuts.end() ? "" : fmt::format(", {:.3g} of which the body covers,", cut->fraction);
+}
+
+/// Where a cell is, how much of it is in the body, and what it holds.
 /// @param cell  place in the list of active cells
 std::string describe_cell(const StepState& step, std::size_t cell) {
   Vec2 centre = Vec2::Zero();
   const std::vector<Vec2> polygon = step.basis.grid().polygon(step.supports.cell[cell]);
   for (const Vec2& vertex : polygon) centre += vertex / static_cast<double>(polygon.size());
-  return fmt::format("around ({:.6g}, {:.6g}) with {}", centre.x(), centre.y(),
-                     count(points_in(step, cell), "material point"));
+  return fmt::format("around ({:.6g}, {:.6g}){} with {}", centre.x(), centre.y(),
+                     covered_share(step, step.supports.cell[cell]), count(points_in(step, cell), "material point"));
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
+#include <tuple>
 
 extern "C" {
 void openblas_set_num_threads(int threads);
@@ -89,8 +89,9 @@ struct LinearSolver::Factors {
   SparseMatrix lu_matrix;  // both halves, which UMFPACK's solve reads again
   SparseMatrix scaled;     // unit diagonal, lower half
   Eigen::VectorXd scale;   // 1/√|K_ii|
-  std::optional<Index> negative_pivot;
-  double smallest = 0.0;  // pivot
+  bool definite = false;   // else the factors are UMFPACK's
+  double smallest = 0.0;   // pivot
+  Index weakest = 0;       // its equation
 
   Factors() {
     cholmod_start(&common);
@@ -171,7 +172,7 @@ struct LinearSolver::Factors {
     umfpack_di_free_symbolic(&symbolic);
     if (status == UMFPACK_ERROR_out_of_memory) throw std::bad_alloc();
     if (status != UMFPACK_OK || info[UMFPACK_RCOND] < smallest_usable_lu)
-      throw SingularMatrix(*negative_pivot, info[UMFPACK_RCOND]);
+      throw SingularMatrix(weakest, info[UMFPACK_RCOND]);
   }
 
   [[nodiscard]] Eigen::VectorXd apply_inverse(const Eigen::VectorXd& b) const {
@@ -211,7 +212,7 @@ void LinearSolver::analyse(const SparseMatrix& matrix) {
 void LinearSolver::factorize(const SparseMatrix& matrix, double shift) {
   Factors& f = *factors_;
   f.release_lu();
-  f.negative_pivot.reset();
+  f.definite = true;
   f.smallest = 0.0;
   f.scale_by_diagonal(matrix);
   cholmod_sparse a = Factors::view(f.scaled);
@@ -219,14 +220,13 @@ void LinearSolver::factorize(const SparseMatrix& matrix, double shift) {
   cholmod_factorize_p(&a, beta.data(), nullptr, 0, f.cholesky, &f.common);
   if (f.common.status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
   if (f.common.status == CHOLMOD_NOT_POSDEF) {
-    const Index equation = static_cast<const int*>(f.cholesky->Perm)[f.cholesky->minor];
-    if (shift > 0.0) throw SingularMatrix(equation, 0.0);
-    f.negative_pivot = equation;
+    f.definite = false;
+    f.weakest = static_cast<const int*>(f.cholesky->Perm)[f.cholesky->minor];
+    if (shift > 0.0) throw SingularMatrix(f.weakest, 0.0);
     return f.factorize_unsymmetric();
   }
-  const auto [pivot, equation] = f.find_smallest_pivot();
-  f.smallest = pivot;
-  if (pivot < smallest_usable_pivot) throw SingularMatrix(equation, pivot);
+  std::tie(f.smallest, f.weakest) = f.find_smallest_pivot();
+  if (f.smallest < smallest_usable_pivot) throw SingularMatrix(f.weakest, f.smallest);
 }
 
 Eigen::VectorXd LinearSolver::solve(const Eigen::VectorXd& right_hand_side) const {
@@ -242,9 +242,9 @@ Eigen::VectorXd LinearSolver::refined(const Eigen::VectorXd& right_hand_side, co
 
 double LinearSolver::smallest_pivot() const { return factors_->smallest; }
 
-bool LinearSolver::positive_definite() const { return !factors_->negative_pivot; }
+bool LinearSolver::positive_definite() const { return factors_->definite; }
 
-Index LinearSolver::negative_pivot_equation() const { return factors_->negative_pivot.value(); }
+Index LinearSolver::smallest_pivot_equation() const { return factors_->weakest; }
 
 double LinearSolver::condition_estimate() const {
   const Factors& f = *factors_;

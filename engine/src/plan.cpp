@@ -65,6 +65,7 @@ std::string left_out(const Case& problem) {
   unless(problem.exact.has_value(), "errors", "no key exact");
   unless(!problem.probes.empty(), "probes", "no key probes");
   unless(problem.condition_estimate, "condition estimate", "diagnostics.condition_estimate is false");
+  unless(problem.cut_fractions, "cut fractions", "diagnostics.cut_fractions is false");
   unless(problem.output.pictures, "pictures", "output.pictures is false");
   return text.empty() ? "  nothing\n" : text;
 }

@@ -11,6 +11,7 @@
 #include "shoreline/engine/failures.hpp"
 #include "step_system.hpp"
 #include "threads.hpp"
+#include "weak_spots.hpp"
 
 namespace shoreline {
 namespace {
@@ -134,6 +135,8 @@ void run_step(Scene& scene, int step, const QuasiStaticOptions& options, Workspa
                         t_before,     prescribed,    dilatation ? &*dilatation : nullptr};
 
   const Eigen::Matrix2Xd increment = solve_step(scene, state, constraints, options, work.system, record);
+  if (options.cut_fractions)
+    record.diagnostics = clock.time("diagnostics", [&] { return weak_spots(state, work.system); });
   record.largest_increment = increment.size() == 0 ? 0.0 : increment.cwiseAbs().maxCoeff();
 
   clock.time("update", [&] {

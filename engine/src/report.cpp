@@ -90,6 +90,20 @@ std::string energies_of(const std::vector<HistoryState>& history) {
   return text;
 }
 
+std::string diagnostics_of(const Diagnostics& d) {
+  std::string text = "\nweak spots:";
+  if (d.smallest_cut)
+    text += fmt::format(" smallest cut {:.3g} of the cell around ({:.6g}, {:.6g});", d.smallest_cut->fraction,
+                        d.smallest_cut->centre.x(), d.smallest_cut->centre.y());
+  if (d.smallest_pivot)
+    text += fmt::format(" smallest pivot {:.1e}, {} of the function at ({:.6g}, {:.6g})", d.smallest_pivot->value,
+                        d.smallest_pivot->component == 0 ? "x" : "y", d.smallest_pivot->control_point.x(),
+                        d.smallest_pivot->control_point.y());
+  text += fmt::format("\n  fewest points in a cell {}; stray points {}", d.fewest_points, d.stray_points);
+  if (d.first_stray) text += fmt::format(", first at ({:.6g}, {:.6g})", d.first_stray->x(), d.first_stray->y());
+  return text + "\n";
+}
+
 std::string timings_of(const Summary& summary) {
   std::string text = fmt::format("{:<22}{:>14}\n", "time", "seconds");
   for (const auto& [phase, seconds] : summary.timings) text += fmt::format("  {:<20}{:>14.4f}\n", phase, seconds);
@@ -111,6 +125,7 @@ std::string report(const Summary& summary, const std::filesystem::path& output) 
   if (summary.projection_errors) text += "\n" + errors_of(*summary.projection_errors);
   text += fits_of(summary) + probes_of(summary) + "\n" + timings_of(summary);
   if (summary.condition_estimate) text += fmt::format("\ncondition estimate: {:.2e}\n", *summary.condition_estimate);
+  if (summary.diagnostics) text += diagnostics_of(*summary.diagnostics);
   if (!summary.warnings.empty()) text += "\n";
   for (const std::string& warning : summary.warnings) text += "warning: " + warning + "\n";
   return text + "\nresults: " + output.string() + "\n";

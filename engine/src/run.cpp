@@ -45,6 +45,7 @@ void take_over(const RunRecord& record, double total, Summary& summary) {
   summary.displacement_fit = record.fit_errors;
   summary.condition_estimate = record.condition_estimate;
   summary.fitted_weights = record.weights;
+  summary.diagnostics = record.diagnostics;
   summary.extended_share = record.extended_share;
   summary.counters = {{"factorisations", record.factorisations}, {"analyses", record.analyses}};
 }
@@ -136,7 +137,11 @@ Summary run(const Case& problem, const RunOptions& options) {
   };
   try {
     progress.begin(1, scene.load_steps);
-    run_load_steps(scene, {.condition_estimate = problem.condition_estimate, .after_step = after_step}, record);
+    run_load_steps(scene,
+                   {.condition_estimate = problem.condition_estimate,
+                    .cut_fractions = problem.cut_fractions,
+                    .after_step = after_step},
+                   record);
     const bool radii = problem.exact && std::holds_alternative<ThickCylinder>(*problem.exact);
     if (scene.exact)
       summary.errors = record.phases.time("errors", [&] { return errors_of(scene, record, radii, 1.0); });

@@ -89,7 +89,23 @@ void warn_indefinite(const StepState& state, StepSystem& system, RunRecord& reco
       "indefinite", record.steps + 1,
       fmt::format("the stiffness is not positive definite at {}; solved by a pivoted LU factorisation. A smaller band "
                   "or a ghost penalty restores definiteness",
-                  weak_unknown(state, system.assembler.unknown(system.solver.negative_pivot_equation()))),
+                  weak_unknown(state, system.assembler.unknown(system.solver.smallest_pivot_equation()))),
+      record.warnings);
+}
+
+/// Above this many the solution has lost most of its sixteen digits, (L.3).
+constexpr double suspicious_condition = 1e14;
+
+void estimate_condition(const StepState& state, StepSystem& system, RunRecord& record) {
+  record.condition_estimate =
+      record.phases.time("condition_estimate", [&] { return system.solver.condition_estimate(); });
+  if (*record.condition_estimate <= suspicious_condition) return;
+  system.warnings.add(
+      "condition", record.steps + 1,
+      fmt::format("the condition estimate is {:.1e}, above {:.0e}: few digits of the solution are "
+                  "certain. Weakest is {}; {}",
+                  *record.condition_estimate, suspicious_condition,
+                  weak_unknown(state, system.assembler.unknown(system.solver.smallest_pivot_equation())), remedy),
       record.warnings);
 }
 
@@ -114,8 +130,7 @@ Eigen::Matrix2Xd solve_step(const Scene& scene, const StepState& state, const st
   }
   const Eigen::VectorXd solution = solve(state, constraints, system, record);
   if (!system.solver.positive_definite()) warn_indefinite(state, system, record);
-  if (options.condition_estimate)
-    record.condition_estimate = clock.time("condition_estimate", [&] { return system.solver.condition_estimate(); });
+  if (options.condition_estimate) estimate_condition(state, system, record);
   if (!solution.allFinite()) throw ComputationError("the solution is not finite; check loads and stiffness");
   const Eigen::Matrix2Xd increment = system.assembler.expand(solution);
   if (system.solver.smallest_pivot() <= suspicious_pivot)

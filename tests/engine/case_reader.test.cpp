@@ -76,6 +76,7 @@ TEST_CASE("what a case leaves out has the default of the table", "[engine][case_
   CHECK(problem.output.every == 1);
   CHECK(problem.output.pictures);
   CHECK_FALSE(problem.condition_estimate);
+  CHECK_FALSE(problem.cut_fractions);
   CHECK_FALSE(problem.material.density.has_value());
   CHECK_FALSE(problem.body_force.has_value());
   CHECK_FALSE(problem.gravity.has_value());
@@ -90,7 +91,7 @@ TEST_CASE("the band and the ghost penalty follow the method unless the case says
 
   const Case nitsche = with({"boundaries.left.condition.method=nitsche"});
   CHECK(essential(nitsche, 3).method == EssentialMethod::nitsche);
-  CHECK(essential(nitsche, 3).band == 0.01);
+  CHECK(essential(nitsche, 3).band == 5e-4);
   CHECK(nitsche.ghost == 1e-3);
   CHECK(with({"boundaries.left.condition.method=nitsche", "ghost=0"}).ghost == 0.0);
   CHECK(essential(with({"boundaries.left.condition.band=1e-6"}), 3).band == 1e-6);
@@ -154,7 +155,7 @@ TEST_CASE("a displacement is prescribed as a vector, along the normal, or by the
   CHECK(std::get<Quantity>(normal.value)(late) == -2.0);
   CHECK(normal.support.normal_only);
   CHECK(normal.support.method == EssentialMethod::nitsche);
-  CHECK(normal.support.band == 0.01);
+  CHECK(normal.support.band == 5e-4);
 
   const Case::Displacement exact = condition(R"("value": "exact", "band": 1e-6)");
   CHECK(std::holds_alternative<Case::FromExact>(exact.value));
@@ -262,8 +263,8 @@ TEST_CASE("a grid of more cells than a machine holds is refused with their numbe
 TEST_CASE("schema and reference page name every key that a case may have", "[engine][case_reader]") {
   const std::string key =
       GENERATE("title", "plane", "youngs_modulus", "cell_size", "corners", "band", "hole", "per_cell", "gravity",
-               "ghost", "displacement", "condition_estimate", "pictures", "load", "normal", "across", "centre",
-               "far_field_stress", "inner_radius", "probes", "position", "respace", "per_block", "seed");
+               "ghost", "displacement", "condition_estimate", "cut_fractions", "pictures", "load", "normal", "across",
+               "centre", "far_field_stress", "inner_radius", "probes", "position", "respace", "per_block", "seed");
   CHECK_THAT(case_schema(), Contains("\"" + key + "\""));
   CHECK_THAT(case_format(), Contains("| `" + key + "` |"));
 }

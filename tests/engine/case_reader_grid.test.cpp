@@ -111,7 +111,9 @@ TEST_CASE("the ghost penalty and the band of Nitsche's method suit the basis", "
   CHECK(nitsche("linear", {}).ghost == 1e-2);
   CHECK(nitsche("powell_sabin", {}).ghost == 1e-4);
   CHECK(nitsche("bspline", {}).ghost == 1e-3);
-  CHECK(band(nitsche("linear", {})) == 0.01);
+  CHECK(band(nitsche("linear", {})) == 5e-3);
+  CHECK(band(nitsche("bspline", {})) == 0.01);
+  CHECK(band(nitsche("bspline", {"grid.degree=1"})) == 5e-4);
   CHECK(band(nitsche("powell_sabin", {})) == 0.02);
   CHECK(band(nitsche("powell_sabin", {"boundaries.outline.condition.band=0.05"})) == 0.05);
   CHECK(nitsche("powell_sabin", {"ghost=0"}).ghost == 0.0);

@@ -100,7 +100,7 @@ TEST_CASE("an indefinite system is solved by LU, and said to be so", "[engine][l
     a(flipped, flipped) -= 3.0 * a(flipped, flipped);
     LinearSolver solver = factorized(sparse(a));
     REQUIRE_FALSE(solver.positive_definite());
-    CHECK((solver.negative_pivot_equation() >= 0 && solver.negative_pivot_equation() < 30));
+    CHECK((solver.smallest_pivot_equation() >= 0 && solver.smallest_pivot_equation() < 30));
     const Eigen::VectorXd x = random_vector(random, 30);
     CHECK(relative(solver.solve(a * x), x) < 1e-12);
 

@@ -86,3 +86,16 @@ TEST_CASE("the report of a dynamic run speaks of steps, time steps and energies"
   CHECK_THAT(report(summary, "out"),
              Contains("damping             0.05") && Contains("dropped points      3") && !Contains("not objective"));
 }
+
+TEST_CASE("the report tells of weak spots in two lines, where there is something to tell", "[engine][report]") {
+  Summary summary;
+  CHECK_THAT(report(summary, "out"), !Contains("weak spots"));
+  summary.diagnostics = Diagnostics{.smallest_cut = Diagnostics::Cut{1.25e-9, 7, Vec2(0.5, 1.5)},
+                                    .smallest_pivot = Diagnostics::Pivot{1e-8, Vec2(1.0, 2.0), 1},
+                                    .stray_points = 2,
+                                    .first_stray = Vec2(3.0, 4.0),
+                                    .fewest_points = 1};
+  CHECK_THAT(report(summary, "out"), Contains("smallest cut 1.25e-09 of the cell around (0.5, 1.5)") &&
+                                         Contains("smallest pivot 1.0e-08, y of the function at (1, 2)") &&
+                                         Contains("fewest points in a cell 1; stray points 2, first at (3, 4)"));
+}

@@ -58,6 +58,7 @@ TEST_CASE("errors and condition estimate appear only if they were computed", "[e
   Summary summary;
   CHECK_FALSE(written(summary).contains("errors"));
   CHECK_FALSE(written(summary).contains("condition_estimate"));
+  CHECK_FALSE(written(summary).contains("diagnostics"));
   CHECK(written(summary)["status"] == "failed");
 
   ErrorNorms errors;
@@ -192,4 +193,21 @@ TEST_CASE("the summary of a projection has its errors, and nothing of loads", "[
   CHECK(json["errors"]["projection"]["x_derivative_l2"] == 1.5);
   CHECK(json["errors"]["projection"]["y_derivative_l2"] == 2.5);
   CHECK_FALSE(written(Summary{}).contains("degree"));
+}
+
+TEST_CASE("weak spots have their places", "[engine][summary]") {
+  Summary summary;
+  summary.diagnostics = Diagnostics{.smallest_cut = Diagnostics::Cut{1e-9, 7, Vec2(0.5, 1.5)},
+                                    .smallest_pivot = Diagnostics::Pivot{1e-8, Vec2(1.0, 2.0), 1},
+                                    .stray_points = 2,
+                                    .first_stray = Vec2(3.0, 4.0),
+                                    .fewest_points = 1};
+  const Json json = written(summary)["diagnostics"];
+  CHECK(json["smallest_cut"] == Json({{"fraction", 1e-9}, {"element", 7}, {"centre", {0.5, 1.5}}}));
+  CHECK(json["smallest_pivot"] == Json({{"value", 1e-8}, {"control_point", {1.0, 2.0}}, {"component", "y"}}));
+  CHECK(json["stray_points"] == Json({{"number", 2}, {"first", {3.0, 4.0}}}));
+  CHECK(json["fewest_points_in_element"] == 1);
+
+  summary.diagnostics = Diagnostics{.fewest_points = 4};
+  CHECK(written(summary)["diagnostics"] == Json({{"stray_points", {{"number", 0}}}, {"fewest_points_in_element", 4}}));
 }

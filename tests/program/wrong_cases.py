@@ -32,7 +32,7 @@ CASE = {
     "probes": [{"name": "tip", "position": [1, 0]}, {"name": "root", "position": [-1, 0]}],
     "tracking": {"respace": 4.0},
     "solver": {"threads": 1},
-    "diagnostics": {"condition_estimate": True},
+    "diagnostics": {"condition_estimate": True, "cut_fractions": False},
     "output": {"every": 1, "pictures": False},
 }
 
@@ -113,7 +113,7 @@ OTHERS = [("grid", {"cells": "triangle", "basis": "linear", "pattern": "four", "
 
 OPTIONAL = {"title", "load_steps", "load", "loading", "density", "cells", "basis", "degree", "pattern", "corners", "condition", "method", "band",
             "fill", "volumes", "body_force", "gravity", "ghost", "constants", "exact", "probes", "tracking", "respace",
-            "centre", "seed", "solver", "threads", "diagnostics", "condition_estimate", "output", "every", "pictures", "hole", "p",
+            "centre", "seed", "solver", "threads", "diagnostics", "condition_estimate", "cut_fractions", "output", "every", "pictures", "hole", "p",
             "gradient", "mass"}
 OPTIONAL_IN_DYNAMICS = {"time_step", "safety", "transfer", "damping", "leaving", "boundaries", "initial_velocity",
                         "history"}
@@ -262,7 +262,7 @@ def wrong_values():
         ("material_points/per_cell", 1001, "from 1 to 1000", True),
         ("material_points/per_cell", [2, 2, 2], "list of 2", True),
         ("material_points/fill", "polr", 'nearest: "polar"', True),
-        ("material_points/volumes", "fitted", '"clipped"', True),
+        ("material_points/volumes", "exact", '"clipped"', True),
         ("body_force", 1, "list of 2", True),
         ("gravity/1", "down", "a number", True),
         ("ghost", -1e-3, "≥ 0", True),
@@ -282,6 +282,7 @@ def wrong_values():
         ("solver/threads", -1, "from 0", True),
         ("solver/threads", 100000, "1024", True),
         ("diagnostics/condition_estimate", 1, "true or false", True),
+        ("diagnostics/cut_fractions", "yes", "true or false", True),
         ("output/every", 0, "from 1", True),
         ("output/pictures", "no", "true or false", True),
     ]

@@ -172,6 +172,7 @@ void read_load_steps(const Node& root, const Constants& constants, Case& problem
   if (root.has("probes")) problem.probes = read_probes(root["probes"]);
   if (root["tracking"].has("respace")) problem.respacing = root["tracking"]["respace"].as<double>();
   problem.condition_estimate = root["diagnostics"]["condition_estimate"].as<bool>();
+  problem.cut_fractions = root["diagnostics"]["cut_fractions"].as<bool>();
   problem.output.every = root["output"]["every"].as<int>();
 }
 
@@ -184,8 +185,8 @@ Case case_of(const Node& root, const std::filesystem::path& file) {
   const Constants constants = read_constants(root["constants"]);
   problem.grid = read_grid(root["grid"], file.parent_path());
   if (root.has("boundaries"))
-    problem.boundaries =
-        read_boundaries(root["boundaries"], {constants, root.has("exact"), nitsche_band(problem.grid.basis)});
+    problem.boundaries = read_boundaries(
+        root["boundaries"], {constants, root.has("exact"), nitsche_band(problem.grid.basis, problem.grid.degree)});
   if (root.has("material_points")) {
     problem.material_points = read_material_points(root["material_points"], problem.grid);
     problem.fitted = root["material_points"]["volumes"].is("fitted");

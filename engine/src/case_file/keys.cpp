@@ -36,8 +36,10 @@ Object held(bool dynamic) {
   return {{key("method", {Choice{{"implicit_boundary", "nitsche", "grid"}}}, otherwise("implicit_boundary"), "",
                "how the condition enters: penalty of a band, the same made consistent, or elimination on grid lines"),
            key("band", {Number{{0.0, 0.1, true}}}, optional, "",
-               "width of the band δ/h in cells; default 1e-3 for `implicit_boundary`, for `nitsche` 0.01 or, with "
-               "Powell-Sabin splines, 0.02; not with `grid`")},
+               "width of the band δ/h in cells; default 1e-3 for `implicit_boundary`; for `nitsche` 5e-4 with "
+               "`bilinear` and "
+               "B-splines of degree 1, 5e-3 with `linear`, 0.01 with other B-splines, 0.02 with `powell_sabin`; not "
+               "with `grid`")},
           {}};
 }
 
@@ -117,7 +119,9 @@ Schema solver() {
 
 Schema diagnostics() {
   return {Object{{key("condition_estimate", {Boolean{}}, otherwise(Case{}.condition_estimate), "",
-                      "estimate the condition number of the scaled system")},
+                      "estimate the condition number of the scaled system; a warning above 1e14"),
+                  key("cut_fractions", {Boolean{}}, otherwise(Case{}.cut_fractions), "",
+                      "tell where the system is weak: the smallest cut cell, the smallest pivot, stray points")},
                  {}}};
 }
 

@@ -129,6 +129,22 @@ void add_loads(const Summary& summary, Json& json) {
   json["extended_share"] = summary.extended_share;
 }
 
+Json diagnostics(const Diagnostics& d) {
+  Json json = Json::object();
+  if (d.smallest_cut)
+    json["smallest_cut"] = {{"fraction", d.smallest_cut->fraction},
+                            {"element", d.smallest_cut->element},
+                            {"centre", list(d.smallest_cut->centre)}};
+  if (d.smallest_pivot)
+    json["smallest_pivot"] = {{"value", d.smallest_pivot->value},
+                              {"control_point", list(d.smallest_pivot->control_point)},
+                              {"component", d.smallest_pivot->component == 0 ? "x" : "y"}};
+  json["stray_points"] = {{"number", d.stray_points}};
+  if (d.first_stray) json["stray_points"]["first"] = list(*d.first_stray);
+  json["fewest_points_in_element"] = d.fewest_points;
+  return json;
+}
+
 void add_costs(const Summary& summary, Json& json) {
   json["effects"] = Json::array();
   json["effect_costs"] = Json::object();
@@ -163,6 +179,7 @@ void write_summary(const Summary& summary, const std::filesystem::path& folder) 
   for (const Probe& p : summary.probes) json["probes"][p.name] = probe(p);
   add_costs(summary, json);
   if (summary.condition_estimate) json["condition_estimate"] = *summary.condition_estimate;
+  if (summary.diagnostics) json["diagnostics"] = diagnostics(*summary.diagnostics);
   write_atomically(folder / "summary.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 

@@ -17,7 +17,8 @@ struct BodyMoments {
   Eigen::MatrixXd moment;  ///< (monomials, cells): ∫ ξ^a η^b dA, a + b <= order, ordered (0,0) (1,0) (0,1) (2,0) …
 };
 
-/// ∫_{cell ∩ Ω} ξ^a η^b dA of every covered cell, by (R.2) on rectangles and (R.5) on triangles.
+/// ∫_{cell ∩ Ω} ξ^a η^b dA of every covered cell, by (R.2) on rectangles and (R.5) on triangles. What bulges out of the
+/// grid, within border_slack, counts for the cell at the border.
 ///
 /// @param curves  that close into loops
 /// @param order   highest a + b, 0 to highest_order

@@ -51,11 +51,11 @@ class LinearSolver {
   /// Smallest pivot of the scaled matrix; 0 where Cholesky fails.
   [[nodiscard]] double smallest_pivot() const;
 
+  /// Where that pivot is; where Cholesky fails, where it met a pivot that is not positive.
+  [[nodiscard]] Index smallest_pivot_equation() const;
+
   /// Whether Cholesky's factorisation exists; if not, the factors are those of a pivoted LU.
   [[nodiscard]] bool positive_definite() const;
-
-  /// Where Cholesky met a pivot that is not positive; only if not positive_definite().
-  [[nodiscard]] Index negative_pivot_equation() const;
 
   /// Estimate of ‖A‖₁‖A⁻¹‖₁ of the scaled matrix A from its factors (Hager 1984, Higham 1988), (L.3); a few solves.
   [[nodiscard]] double condition_estimate() const;

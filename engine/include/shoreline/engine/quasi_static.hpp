@@ -6,8 +6,9 @@
 
 #include "shoreline/boundary/displacement_fit.hpp"
 #include "shoreline/engine/clock.hpp"
-#include "shoreline/engine/results.hpp"
+#include "shoreline/engine/diagnostics.hpp"
 #include "shoreline/engine/scene.hpp"
+#include "shoreline/engine/weight_report.hpp"
 
 namespace shoreline {
 
@@ -21,6 +22,7 @@ struct RunRecord {
   std::vector<std::string> warnings;
   std::optional<double> condition_estimate;  ///< of the last step's scaled matrix, where asked for
   std::optional<WeightReport> weights;       ///< of the last step, where weights are fitted
+  std::optional<Diagnostics> diagnostics;    ///< of the last step, where cut_fractions asked for them
   double extended_share = 0.0;               ///< largest share of a piece served by a neighbour's polynomials
   std::map<std::string, FitError>
       fit_errors;                  ///< by piece that prescribes a displacement, summed over the steps: a bound
@@ -31,6 +33,7 @@ struct RunRecord {
 
 struct QuasiStaticOptions {
   bool condition_estimate = false;
+  bool cut_fractions = false;  ///< and what else tells where the system is weak
   /// Called with the number of a completed step, when points and curves have moved and can go on.
   std::function<void(int)> after_step = [](int) {};
 };

@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "shoreline/boundary/displacement_fit.hpp"
+#include "shoreline/engine/diagnostics.hpp"
 #include "shoreline/engine/probes.hpp"
+#include "shoreline/engine/weight_report.hpp"
 
 namespace shoreline {
 
@@ -39,20 +41,6 @@ struct HistoryState {
   double gravity = 0.0;          ///< potential energy of the body force [J/m]
   Vec2 momentum = Vec2::Zero();  ///< [N s/m]
   [[nodiscard]] double total() const { return kinetic + strain + gravity; }
-};
-
-/// What fitting the weights of material points to the outline came to, (W.1)–(W.9).
-struct WeightReport {
-  double changed = 0.0;     ///< share of the points whose weight differs from the plain one by more than 10 %
-  Index bounded = 0;        ///< points at the lower bound
-  double unmet = 0.0;       ///< largest |A w − r|, in parts of the largest |r|
-  Index cells_unmet = 0;    ///< cells with too few points for all moments; quasi-static runs alone
-  double unserved = 0.0;    ///< share of the body in elements without points; quasi-static runs alone
-  long iterations = 0;      ///< of Newton's method for consistent weights
-  long factorisations = 0;  ///< of its matrix
-
-  /// Takes in another fit: the worst of both, and their iterations together.
-  void add(const WeightReport& other);
 };
 
 /// A field over the cells, sampled for drawing: triangles with values at their corners.
@@ -146,6 +134,7 @@ struct Summary {
   std::vector<Probe> probes;
   std::optional<WeightReport> fitted_weights{};
   std::optional<double> condition_estimate;
+  std::optional<Diagnostics> diagnostics;
   std::vector<std::string> warnings;
   double extended_share = 0.0;  ///< largest share of a piece that lies in cells without material points
   std::map<std::string, long> counters;
