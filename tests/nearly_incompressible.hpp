@@ -66,6 +66,7 @@ inline Case on_grid(Case problem, const Case::Grid& grid, const Held& held, bool
     if (auto* moved = std::get_if<Case::Displacement>(&side.condition)) {
       moved->support.method = held.method;
       moved->support.band = held.band > 0.0 ? held.band : nitsche_band(grid.basis);
+      moved->support.narrows = held.band == 0.0;
     }
   problem.material_points = exact_points(basis_of(grid)->grid(), {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 4);
   return problem;

@@ -38,7 +38,8 @@ inline Case plate_on(const std::string& file, Case::Grid grid, double h, double 
     if (auto* moved = std::get_if<Case::Displacement>(&side.condition)) support = &moved->support;
     if (support == nullptr) continue;
     support->method = EssentialMethod::nitsche;
-    support->band = nitsche_band(grid.basis, grid.degree);
+    support->band = nitsche_band(grid.basis);
+    support->narrows = true;
   }
   const int order = grid.basis == Case::BasisType::bspline ? 2 * grid.degree : 2;
   problem.material_points = polygon_points(basis_of(grid)->grid(), outline(problem, chord), order);

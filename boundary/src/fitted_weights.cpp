@@ -17,8 +17,6 @@ using Multipliers = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>;
 using Gram = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
 
 constexpr double ridge = 1e-10;     ///< ε of (W.2)
-constexpr double exact = 1e-12;     ///< of the area: so near moments count as reproduced without a fit
-constexpr double met = 1e-9;        ///< of the area: by how much a fit may miss a moment
 constexpr double rounding = 1e-14;  ///< of the cell: what the moments of a small part carry of it
 constexpr int most_steps = 25;
 
@@ -39,6 +37,14 @@ Eigen::MatrixXd monomials_at(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double
       for (int b = 0; b <= degree; ++b) m(k++, p) = std::pow(at.x(), degree - b) * std::pow(at.y(), b);
   }
   return m;
+}
+
+/// ∫ ξ^a η^b over the covered area, ξ and η in sizes of the cell.
+Multipliers scaled(const Eigen::Ref<const Eigen::VectorXd>& moments, double size, int order) {
+  Multipliers scaled = moments.head(monomials(order)) / moments[0];
+  for (int degree = 0, k = 0; degree <= order; ++degree)
+    for (int b = 0; b <= degree; ++b) scaled[k++] /= std::pow(size, degree);
+  return scaled;
 }
 
 /// The problem (W.1) in shares of the covered area. Its rows are polynomials that are orthonormal on the points: what
@@ -80,13 +86,25 @@ Problem make_problem(const Eigen::MatrixXd& monomial, const Multipliers& moments
       .plain = plain};
 }
 
-/// ∫ ξ^a η^b over the covered area, ξ and η in sizes of the cell.
-Multipliers scaled(const Eigen::Ref<const Eigen::VectorXd>& moments, double size, int order) {
-  Multipliers scaled = moments.head(monomials(order)) / moments[0];
-  for (int degree = 0, k = 0; degree <= order; ++degree)
-    for (int b = 0; b <= degree; ++b) scaled[k++] /= std::pow(size, degree);
-  return scaled;
-}
+/// Moments of the covered part in sizes of the cell, and how far weights may be from them, in parts of the area.
+struct Wanted {
+  Eigen::MatrixXd monomial;  ///< (moments, n) at the points
+  Multipliers moment;        ///< (moments)
+  double exact;              ///< so near they count as met without a fit
+  double met;                ///< so near a fit must come
+
+  Wanted(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size, const Eigen::Ref<const Eigen::VectorXd>& moments)
+      : monomial(monomials_at(x, size, order_of(moments.size()))),
+        moment(scaled(moments, size, order_of(moments.size()))),
+        exact(1e-12 + rounding * size * size / moments[0]),
+        met(1e-9 + rounding * size * size / moments[0]) {}
+
+  /// @param weight  in parts of the area
+  [[nodiscard]] bool reproduced(int order, const Eigen::VectorXd& weight) const {
+    const Eigen::Index rows = monomials(order);
+    return (monomial.topRows(rows) * weight - moment.head(rows)).cwiseAbs().maxCoeff() <= exact;
+  }
+};
 
 /// One Newton step of (W.2) with as much of it as lowers Φ.
 void advance(const Problem& problem, const Eigen::VectorXd& growth, const Multipliers& gradient,
@@ -103,23 +121,19 @@ void advance(const Problem& problem, const Eigen::VectorXd& growth, const Multip
   multiplier += share * step;
 }
 
-bool reproduces(const Eigen::MatrixXd& monomial, const Eigen::VectorXd& weight, const Multipliers& moments) {
-  return (monomial * weight - moments).cwiseAbs().maxCoeff() <= exact;
-}
-
-/// Weights that reproduce all moments given, or none where no weights above the bound do.
-std::optional<Eigen::VectorXd> weights_for(const Eigen::MatrixXd& monomial, const Multipliers& moments,
-                                           const Eigen::VectorXd& plain, double tolerance) {
-  if (reproduces(monomial, plain, moments)) return plain;
-  const Problem problem = make_problem(monomial, moments, plain);
+/// Weights that reproduce all moments up to an order, or none where no weights above the bound do.
+std::optional<Eigen::VectorXd> weights_for(const Wanted& wanted, int order, const Eigen::VectorXd& plain) {
+  const Eigen::Index rows = monomials(order);
+  const Problem problem = make_problem(wanted.monomial.topRows(rows), wanted.moment.head(rows), plain);
   Multipliers multiplier = Multipliers::Zero(problem.target.size());
   for (int k = 0; k < most_steps; ++k) {
     const Eigen::VectorXd growth = problem.growth(multiplier);
     const Multipliers rest = problem.rest(growth);
-    if (rest.cwiseAbs().maxCoeff() <= tolerance) {
+    if (rest.cwiseAbs().maxCoeff() <= wanted.met) {
       Eigen::VectorXd weight = problem.weights(growth);
-      const double missed = (monomial * weight - moments).cwiseAbs().maxCoeff();  // of those left out, too
-      return missed <= tolerance ? std::optional(std::move(weight)) : std::nullopt;
+      const Multipliers missed = wanted.monomial.topRows(rows) * weight - wanted.moment.head(rows);
+      if (missed.cwiseAbs().maxCoeff() > wanted.met) return std::nullopt;  // one that was left out
+      return weight;
     }
     advance(problem, growth, rest + ridge * multiplier, multiplier);
   }
@@ -131,21 +145,25 @@ std::optional<Eigen::VectorXd> weights_for(const Eigen::MatrixXd& monomial, cons
 int fit_weights(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size,
                 const Eigen::Ref<const Eigen::VectorXd>& moments, Eigen::Ref<Eigen::VectorXd> weight) {
   const Eigen::VectorXd plain = weight / weight.sum();
-  const int highest = order_of(moments.size());
-  const Eigen::MatrixXd monomial = monomials_at(x, size, highest);
-  const Multipliers target = scaled(moments, size, highest);
-  const double tolerance = met + rounding * size * size / moments[0];
+  const Wanted wanted(x, size, moments);
   weight = moments[0] * plain;
-  if (reproduces(monomial, plain, target)) return highest;
-  for (int order = highest; order > 0; --order) {
+  for (int order = order_of(moments.size()); order > 0; --order) {
+    if (wanted.reproduced(order, plain)) return order;
     if (points_for(order) > x.cols()) continue;
-    const Eigen::Index rows = monomials(order);
-    if (const auto fitted = weights_for(monomial.topRows(rows), target.head(rows), plain, tolerance)) {
+    if (const auto fitted = weights_for(wanted, order, plain)) {
       weight = moments[0] * *fitted;
       return order;
     }
   }
   return 0;
+}
+
+int order_met(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size,
+              const Eigen::Ref<const Eigen::VectorXd>& moments, const Eigen::Ref<const Eigen::VectorXd>& weight) {
+  const Wanted wanted(x, size, moments);
+  int order = order_of(moments.size());
+  while (order >= 0 && !wanted.reproduced(order, weight / moments[0])) --order;
+  return order;
 }
 
 }  // namespace shoreline

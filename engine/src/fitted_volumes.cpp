@@ -27,9 +27,17 @@ std::vector<Eigen::Index> columns_of(const PointSupports& supports, const BodyMo
   return column;
 }
 
+/// Up to which order the moments of cells are asked for: on triangles that of products of gradients; on rectangles of
+/// all but the highest mixed ones of these.
+int order_for(const Basis& basis, bool triangles) { return triangles ? basis.degree() : 2 * basis.degree(); }
+
+/// And up to which they must be met for gradients to be integrated exactly.
+int gradient_order(const Basis& basis, bool triangles) { return order_for(basis, triangles) - 1; }
+
+bool has_triangles(const Basis& basis) { return highest_order(basis.grid()) < max_moment_order; }
+
 /// Fits the weights of one cell. Where its points cannot meet all moments, they keep their plain weights.
-/// @return whether they meet them
-/// @param plain  (points) volumes at the start
+/// @return whether the weights integrate gradients
 bool fit_cell(const Basis& basis, const PointSupports& supports, std::size_t c, const BodyMoments& moments,
               Eigen::Index column, const Eigen::VectorXd& plain, MaterialPoints& points) {
   const Eigen::Index n = supports.first[c + 1] - supports.first[c];
@@ -41,16 +49,12 @@ bool fit_cell(const Basis& basis, const PointSupports& supports, std::size_t c, 
     weight[k] = plain[p];
   }
   const auto moment = moments.moment.col(column);
-  if (monomials(fit_weights(x, basis.grid().size(supports.cell[c]), moment, weight)) < moment.size()) return false;
+  const double size = basis.grid().size(supports.cell[c]);
+  const bool integrates = order_met(x, size, moment, weight) >= gradient_order(basis, has_triangles(basis));
+  if (monomials(fit_weights(x, size, moment, weight)) < moment.size()) return integrates;
   for (Eigen::Index k = 0; k < n; ++k)
     points.volume[supports.point[at(supports.first[c]) + static_cast<std::size_t>(k)]] = weight[k];
   return true;
-}
-
-/// Up to which order the moments of cells matter: that of products of gradients where these are polynomials of all
-/// monomials (triangles), and of all but the highest of their mixed ones (rectangles).
-int order_for(const Basis& basis) {
-  return highest_order(basis.grid()) < max_moment_order ? basis.degree() : 2 * basis.degree();
 }
 
 }  // namespace
@@ -75,17 +79,19 @@ WeightReport FittedVolumes::fit_cells(const Basis& basis, const PointSupports& s
 
 WeightReport FittedVolumes::fit(const Basis& basis, const PointSupports& supports, const std::vector<Edge>& edges,
                                 MaterialPoints& points) {
-  if (start_.size() == 0) start_ = points.volume;
+  const bool first = start_.size() == 0;
+  if (first) start_ = points.volume;
   std::vector<SplineCurve> curves;
   for (const Edge& edge : edges) curves.push_back(edge.curve);
-  const BodyMoments moments = body_moments(curves, basis.grid(), order_for(basis));
+  const BodyMoments moments = body_moments(curves, basis.grid(), order_for(basis, has_triangles(basis)));
   WeightReport report = fit_cells(basis, supports, moments, points);
   points.volume *= moments.moment.row(0).sum() / points.volume.sum();
   if (report.cells_unmet > 0) {
-    points.volume = consistent_.fit(basis, points, supports, edges);
-    report.unmet = consistent_.report().unmet;
-    report.iterations = consistent_.report().iterations;
-    report.factorisations = consistent_.report().factorisations;
+    if (!consistent_) consistent_.emplace(first ? Consistency::linear : Consistency::divergence);
+    points.volume = consistent_->fit(basis, points, supports, edges);
+    report.unmet = consistent_->report().unmet;
+    report.iterations = consistent_->report().iterations;
+    report.factorisations = consistent_->report().factorisations;
   }
   const auto off = (points.volume - start_).cwiseAbs().array() > changed * start_.array();
   report.changed = static_cast<double>(off.count()) / points.size();

@@ -1,6 +1,8 @@
 #pragma once
 // The weights of material points, fitted at every load step to what the outline covers of their cells.
 
+#include <optional>
+
 #include "consistent_weights.hpp"
 #include "shoreline/boundary/body_moments.hpp"
 
@@ -10,7 +12,7 @@ namespace shoreline {
 class FittedVolumes {
  public:
   /// Sets the volumes of the points to weights that reproduce the moments of their cells, (W.1). Where cells have too
-  /// few points for that, weights of all points that integrate gradients exactly follow from these, (W.7).
+  /// few points for that, weights of all points that integrate gradients exactly follow from these, (W.7), (W.8).
   ///
   /// @param edges   of this step
   /// @param points  volumes in and out
@@ -24,7 +26,9 @@ class FittedVolumes {
                                        MaterialPoints& points) const;
 
   Eigen::VectorXd start_;  ///< volumes before the first fit [m²]
-  ConsistentWeights consistent_{Consistency::divergence};
+  /// Made where it is needed: linear for points that never met the moments, divergence for those that lost them as they
+  /// moved.
+  std::optional<ConsistentWeights> consistent_;
 };
 
 }  // namespace shoreline

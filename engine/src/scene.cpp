@@ -17,7 +17,7 @@
 namespace shoreline {
 namespace {
 
-void add_boundary_effects(Scene& scene, const std::shared_ptr<const Material>& law) {
+void add_boundary_effects(Scene& scene, const std::shared_ptr<const Material>& law, double gamma) {
   for (std::size_t k = 0; k < scene.boundary.size(); ++k) {
     const auto piece = static_cast<int>(k);
     const std::string& name = scene.boundary[k].piece.name;
@@ -26,7 +26,8 @@ void add_boundary_effects(Scene& scene, const std::shared_ptr<const Material>& l
         Overloaded{[](const Free&) {}, [&](const Traction& c) { effects.push_back(traction_on(piece, name, c)); },
                    [&](const Pressure& c) { effects.push_back(pressure_on(piece, name, c)); },
                    [&](const Essential& c) {
-                     if (c.method != EssentialMethod::grid) effects.push_back(essential_on(piece, name, c, law));
+                     if (c.method != EssentialMethod::grid)
+                       effects.push_back(essential_on(piece, name, c, law, gamma));
                      if (scene.exact)
                        effects.push_back(boundary_error(piece, name, c.normal_only,
                                                         exact_displacement(scene.boundary[k].original, *scene.exact)));
@@ -128,7 +129,7 @@ Scene build_scene(const Case& problem) {
   if (scene.projected) scene.contributions.push_back(projected_dilatation());
   if (problem.body_force || problem.gravity)
     scene.contributions.push_back(body_force(force_per_volume(problem, factor)));
-  add_boundary_effects(scene, law);
+  add_boundary_effects(scene, law, problem.ghost);
   if (problem.ghost > 0.0) scene.contributions.push_back(ghost_penalty(problem.ghost, scene.material));
   scene.probes = place_probes(problem, scene);
   return scene;

@@ -28,12 +28,16 @@ def includes(root):
 
 
 def tests(root):
-    """Every public header has a test file of its name."""
+    """Every public header has a test file of its name; names of tests hold no semicolon, which splits them in CTest."""
     for part in BELOW:
         for header in sorted((root / part / "include").rglob("*.hpp")):
             test = root / "tests" / part / (header.stem + ".test.cpp")
             if not test.is_file():
                 yield f"{header}: has no test {test.relative_to(root)}"
+    for file in sorted((root / "tests").rglob("*.test.cpp")):
+        for name in re.findall(r'TEST_CASE\(\s*"((?:[^"\\]|\\.|"\s*")*)"', file.read_text()):
+            if ";" in name:
+                yield f"{file}: the name of a test holds a semicolon: {name}"
 
 
 def marks(root):

@@ -76,7 +76,7 @@ TEST_CASE("a control triangle is counter-clockwise and holds all points", "[base
   }
 }
 
-TEST_CASE("three points are their own control triangle; a square's has twice its area", "[bases][control_triangle]") {
+TEST_CASE("three points are their own control triangle, a square's has twice its area", "[bases][control_triangle]") {
   test::Random random(2);
   for (int draw = 0; draw < 50; ++draw) {
     const std::vector<Vec2> three{random.vector(), random.vector(), random.vector()};

@@ -64,7 +64,7 @@ bool meets(const Box& box, const Vec2& a, const Vec2& b) {
 
 }  // namespace
 
-TEST_CASE("cells are counter-clockwise and tile the bounds; size follows from area", "[bases][grid]") {
+TEST_CASE("cells are counter-clockwise and tile the bounds, size follows from area", "[bases][grid]") {
   test::Random random(1);
   for (int draw = 0; draw < 20; ++draw) {
     const auto quadrilaterals = random.grid();
@@ -93,7 +93,7 @@ TEST_CASE("the polygon of the located cell holds the point, whatever the hint", 
   }
 }
 
-TEST_CASE("every vertex, also on the border, is in some cell; nothing outside is in any", "[bases][grid]") {
+TEST_CASE("every vertex, also on the border, is in some cell, nothing outside is in any", "[bases][grid]") {
   test::Random random(3);
   for (int draw = 0; draw < 20; ++draw) {
     const auto quadrilaterals = random.grid();

@@ -15,7 +15,7 @@ double distance_to_line(const Vec2& a, const Vec2& b, const Vec2& x) { return cr
 
 }  // namespace
 
-TEST_CASE("six sub-triangles fill each triangle; all are counter-clockwise", "[bases][powell_sabin_refinement]") {
+TEST_CASE("six sub-triangles fill each triangle, all are counter-clockwise", "[bases][powell_sabin_refinement]") {
   test::Random random(1);
   for (int draw = 0; draw < 5; ++draw)
     for (const auto& [name, main] : test::meshes(random)) {

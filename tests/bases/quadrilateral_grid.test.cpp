@@ -22,7 +22,7 @@ TEST_CASE("the area of a cell is the product of the spacings", "[bases][quadrila
   }
 }
 
-TEST_CASE("cells run along rows, nodes too; neighbours share their nodes to the last digit",
+TEST_CASE("cells run along rows, nodes too, neighbours share their nodes to the last digit",
           "[bases][quadrilateral_grid]") {
   const QuadrilateralGrid grid(Vec2(0.1, -0.7), Vec2(0.1, 0.3), {3, 2});
   CHECK(grid.cells() == 6);

@@ -147,7 +147,7 @@ TEST_CASE("edges on one line give one line, parallel lines stand together, and n
   CHECK(grid.lines_near({Vec2(1.52, 1.02), Vec2(1.58, 1.08)}).size() <= 10);
 }
 
-TEST_CASE("a mesh that breaks a rule makes no grid; parts may have any angle", "[bases][triangle_grid]") {
+TEST_CASE("a mesh that breaks a rule makes no grid, parts may have any angle", "[bases][triangle_grid]") {
   TriangleMesh mesh = test::lattice(2, 2, TrianglePattern::diagonal, {1.0, std::tan(0.9 * test::degree)});
   CHECK_THROWS_AS(TriangleGrid(mesh), MeshError);
   CHECK_NOTHROW(TriangleGrid(mesh, 2));

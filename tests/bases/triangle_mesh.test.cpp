@@ -24,7 +24,7 @@ TEST_CASE("meshes of all kinds pass the check", "[bases][triangle_mesh]") {
     }
 }
 
-TEST_CASE("neighbours see each other across the same two vertices; Euler's formula counts the edges",
+TEST_CASE("neighbours see each other across the same two vertices, Euler's formula counts the edges",
           "[bases][triangle_mesh]") {
   test::Random random(2);
   for (const auto& [name, mesh] : test::meshes(random)) {

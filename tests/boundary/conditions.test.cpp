@@ -23,7 +23,7 @@ TEST_CASE("a visitor of lambdas takes the one for the condition at hand", "[boun
   CHECK(kind(Essential{}) == "essential");
 }
 
-TEST_CASE("a piece of which nothing is said is free; one that is held is fixed in a band of a thousandth of a cell",
+TEST_CASE("a piece of which nothing is said is free, one that is held is fixed in a band of a thousandth of a cell",
           "[boundary][conditions]") {
   CHECK(kind(Condition{}) == "free");
   CHECK_FALSE(Essential{}.normal_only);

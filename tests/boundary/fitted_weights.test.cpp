@@ -120,14 +120,25 @@ TEST_CASE("where no weights above the bound have the moments, those of a lower o
   CHECK(rest.cwiseAbs().maxCoeff() < 1e-8 * moments[0]);
 }
 
-TEST_CASE("the order falls to that for which there are 1.5 points a moment", "[boundary][fitted_weights]") {
+TEST_CASE("the order falls to that for which there are 1.5 points a moment, or which the plain weights meet",
+          "[boundary][fitted_weights]") {
   const auto order = [](int n) {
     auto [x, weight] = lattice(1.0, 2.0, n);
     return fit_weights(x, 1.0, cut_square(1.0, 2.0, 4), weight);
   };
-  CHECK(order(1) == 0);
-  CHECK(order(2) == 0);
+  CHECK(order(1) == 1);  // at the centroid
+  CHECK(order(2) == 1);
   CHECK(order(3) == 2);
   CHECK(order(4) == 3);
   CHECK(order(5) == 4);
+}
+
+TEST_CASE("weights tell which moments they meet", "[boundary][fitted_weights]") {
+  auto [x, weight] = lattice(1.0, 2.0, 5);
+  const Eigen::VectorXd moments = cut_square(1.0, 2.0, 4);
+  CHECK(order_met(x, 1.0, moments, weight) == 1);
+  CHECK(order_met(x, 1.0, moments, 1.1 * weight) == -1);
+  weight[0] += 0.01;
+  weight[1] -= 0.01;
+  CHECK(order_met(x, 1.0, moments, weight) == 0);
 }

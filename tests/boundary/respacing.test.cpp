@@ -54,7 +54,7 @@ TEST_CASE("runs within the limit are left alone bit for bit", "[boundary][respac
   CHECK(respaced->piece.corners == bent.corners);
 }
 
-TEST_CASE("re-spaced points lie on the curve at equal arc lengths; ends and corners stay", "[boundary][respacing]") {
+TEST_CASE("re-spaced points lie on the curve at equal arc lengths, ends and corners stay", "[boundary][respacing]") {
   test::RandomPieces random(3);
   int changed = 0;
   for (int draw = 0; draw < 100; ++draw) {

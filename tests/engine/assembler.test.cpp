@@ -162,7 +162,7 @@ TEST_CASE("sums do not depend on the number of threads, to the last digit", "[en
   omp_set_num_threads(threads_before);
 }
 
-TEST_CASE("a solution expands to its functions and zero elsewhere; reactions close the equilibrium",
+TEST_CASE("a solution expands to its functions and zero elsewhere, reactions close the equilibrium",
           "[engine][assembler]") {
   test::Random random(5);
   for (int draw = 0; draw < 20; ++draw) {

@@ -110,19 +110,21 @@ TEST_CASE("the ghost penalty and the band of Nitsche's method suit the basis", "
   CHECK(nitsche("bilinear", {}).ghost == 1e-3);
   CHECK(nitsche("linear", {}).ghost == 1e-2);
   CHECK(nitsche("powell_sabin", {}).ghost == 1e-4);
-  CHECK(nitsche("bspline", {}).ghost == 1e-3);
-  CHECK(band(nitsche("linear", {})) == 5e-3);
+  CHECK(nitsche("bspline", {}).ghost == 3e-4);
+  CHECK(band(nitsche("linear", {})) == 0.01);
   CHECK(band(nitsche("bspline", {})) == 0.01);
-  CHECK(band(nitsche("bspline", {"grid.degree=1"})) == 5e-4);
+  CHECK(std::get<Essential>(nitsche("bspline", {}).boundaries[0].condition).narrows);
   CHECK(band(nitsche("powell_sabin", {})) == 0.02);
-  CHECK(band(nitsche("powell_sabin", {"boundaries.outline.condition.band=0.05"})) == 0.05);
+  const Case named = nitsche("powell_sabin", {"boundaries.outline.condition.band=0.05"});
+  CHECK(band(named) == 0.05);
+  CHECK_FALSE(std::get<Essential>(named.boundaries[0].condition).narrows);
   CHECK(nitsche("powell_sabin", {"ghost=0"}).ghost == 0.0);
   const auto penalty = [&](const std::string& basis) {
     return nitsche(basis, {"boundaries.outline.condition.method=implicit_boundary"}).ghost;
   };
   CHECK(penalty("bilinear") == 0.0);
   CHECK(penalty("linear") == 0.0);
-  CHECK(penalty("bspline") == 1e-3);
+  CHECK(penalty("bspline") == 3e-4);
   CHECK(penalty("powell_sabin") == 1e-4);
   CHECK(nitsche("powell_sabin", {"boundaries.outline.condition.method=grid"}).ghost == 0.0);
 }

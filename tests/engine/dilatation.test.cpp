@@ -195,7 +195,7 @@ TEST_CASE("projected dilatation: reactions balance loads, and both loadings agre
   }
 }
 
-TEST_CASE("nothing of the projection is made where no case asks for it; a step takes one factorisation",
+TEST_CASE("nothing of the projection is made where no case asks for it, a step takes one factorisation",
           "[engine][dilatation]") {
   const auto effects = [](const Scene& scene) {
     std::vector<std::string> names;

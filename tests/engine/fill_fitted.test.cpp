@@ -91,7 +91,7 @@ TEST_CASE("fitted fill: three points in whole triangles", "[engine][fill]") {
 }
 
 TEST_CASE("fitted fill: slivers of rectangles get points, too", "[engine][fill]") {
-  for (const double sliver : {1e-2, 1e-4, 1e-6}) {
+  for (const double sliver : {1e-2, 1e-4, 1e-5}) {
     const QuadrilateralGrid grid({0.0, 0.0}, {1.0, 1.0}, {4, 4});
     std::vector<SplineCurve> body;
     const std::vector<Vec2> x{{1.0, 1.0}, {2.0 + sliver, 1.0}, {2.0 + sliver, 2.0 + 0.5 * sliver}, {1.0, 2.0}};

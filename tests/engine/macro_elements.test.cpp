@@ -32,7 +32,7 @@ std::size_t connected(const MacroElements& groups, const Grid& grid, Index group
 }  // namespace
 
 TEST_CASE(
-    "each element is in one macro-element, which hangs together; polynomials are a third of the unknowns, or half",
+    "each element is in one macro-element, which hangs together, polynomials are a third of the unknowns, or half",
     "[engine][macro_elements]") {
   for (const Index cells : {1, 2, 3, 7, 12})
     for (const auto& [name, grid] : test::every_grid(Vec2::Zero(), 1.0, cells)) {

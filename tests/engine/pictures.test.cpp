@@ -118,7 +118,7 @@ TEST_CASE("a run gives a PNG picture, whatever the number of points, the motion 
   CHECK(std::filesystem::file_size(odd / "deformed.png") > 20000);
 }
 
-TEST_CASE("the energies of a dynamic run are one panel over time; displacements, velocities and stresses one each",
+TEST_CASE("the energies of a dynamic run are one panel over time, displacements, velocities and stresses one each",
           "[engine][pictures]") {
   const OutputFolder folder;
   std::vector<int> heights;

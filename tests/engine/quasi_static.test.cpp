@@ -161,7 +161,7 @@ TEST_CASE("tracking points move with the material, and joined pieces stay joined
   }
 }
 
-TEST_CASE("one step takes one analysis and one factorisation; a kept pattern no further analysis",
+TEST_CASE("one step takes one analysis and one factorisation, a kept pattern no further analysis",
           "[engine][quasi_static]") {
   for (test::CompressionSquare square : methods) {
     square.load = 1e-3;

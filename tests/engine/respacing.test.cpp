@@ -72,7 +72,7 @@ double chord_ratio(const Piece& piece) {
 
 }  // namespace
 
-TEST_CASE("re-spacing is off unless asked for; where it happens it is said once, with the number of steps",
+TEST_CASE("re-spacing is off unless asked for, where it happens it is said once, with the number of steps",
           "[engine][respacing]") {
   for (const double limit : {0.0, 50.0, 2.0}) {
     Scene scene = build_scene(graded_square(1e4, 3, limit));

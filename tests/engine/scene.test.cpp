@@ -189,7 +189,7 @@ TEST_CASE("a listed point lies in the outline, or as little beside it as a splin
   CHECK_THAT(listed(1.0), Contains("point 1 at (1.05, 0.01)") && Contains("outside the outline"));
 }
 
-TEST_CASE("loads know original and current place and time; plain numbers ramp", "[engine][scene]") {
+TEST_CASE("loads know original and current place and time, plain numbers ramp", "[engine][scene]") {
   Case problem = test::compression_case({.cells = 4});
   problem.boundaries[2].condition =
       Case::Traction{std::array{Quantity(8.0), Quantity(Expression("X + 100*x + 10000*t"))}};

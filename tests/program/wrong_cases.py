@@ -518,7 +518,9 @@ def wrong_dynamics():
             ("a point outside the grid", {**unbounded, "material_points": {**listed, "points": [[0.5, 0.5], [9, 9]]}},
              "/material_points", ["point 1 at (9, 9)", "outside the grid"], False),
             *[(f"dynamics with {key}", {**DYNAMICS, key: CASE[key]}, f"/{key}", ["expected none", '"explicit_dynamics"'],
-               True) for key in ("ghost", "tracking", "diagnostics")],
+               True) for key in ("tracking", "diagnostics")],
+            ("a ghost mass beside a lumped mass", {**DYNAMICS, "ghost": 1e-3}, "/ghost", ["lumping erases", "consistent"],
+             False),
             *[(f"dynamics with analysis.{key}", {**DYNAMICS, "analysis": {**DYNAMICS["analysis"], key: value}},
                "/analysis", [f'unknown key "{key}"'], True)
               for key, value in (("load_steps", 2), ("load", "t"), ("loading", "residual"))],

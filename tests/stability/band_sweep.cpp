@@ -16,6 +16,7 @@ std::vector<Row> band_sweep(int offsets) {
            {remedied(Case::BasisType::bilinear, 1, method), remedied(Case::BasisType::bspline, 2, method)})
         for (int decade = -1; decade >= -12; --decade) {
           on.band = std::pow(10.0, decade);
+          on.narrows = false;
           rows.push_back(over_offsets(label, problem, on, offsets));
         }
   return rows;

@@ -69,7 +69,8 @@ Discretisation remedied(Type basis, int degree, EssentialMethod method) {
           .degree = degree,
           .method = method,
           .ghost = ghost_for_nitsche(basis, degree),
-          .band = method == EssentialMethod::nitsche ? nitsche_band(basis, degree) : Essential{}.band,
+          .band = method == EssentialMethod::nitsche ? nitsche_band(basis) : Essential{}.band,
+          .narrows = method == EssentialMethod::nitsche,
           .per_cell = degree == 3 ? 6 : 4};
 }
 
@@ -121,13 +122,15 @@ Case discretised(Case problem, const Discretisation& d) {
   problem.grid.degree = d.degree;
   problem.ghost = d.ghost;
   problem.fitted = d.fitted;
-  problem.material_points = LatticeFill{{d.per_cell, d.per_cell}, VolumeRule::clipped};
+  const int n = d.fitted ? d.degree + 1 : d.per_cell;
+  problem.material_points = LatticeFill{{n, n}, d.fitted ? VolumeRule::fitted : VolumeRule::clipped};
   for (Case::Boundary& side : problem.boundaries) {
     auto* support = std::get_if<Essential>(&side.condition);
     if (auto* moved = std::get_if<Case::Displacement>(&side.condition)) support = &moved->support;
     if (support == nullptr) continue;
     support->method = d.method;
     support->band = d.band;
+    support->narrows = d.narrows;
   }
   return problem;
 }

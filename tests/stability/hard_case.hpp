@@ -16,7 +16,8 @@ struct Discretisation {
   EssentialMethod method = EssentialMethod::implicit_boundary;
   double ghost = 0.0;
   double band = 1e-3;  ///< δ/h
-  bool fitted = false;
+  bool narrows = false;
+  bool fitted = false;  ///< weights, with p + 1 points along a cell; else clipped volumes
   int per_cell = 4;
 };
 

@@ -46,7 +46,7 @@ Errors errors(int rows, const std::string& volumes) {
 
 TEST_CASE(
     "with fitted weights the column's errors fall with the grid: u 0.25 %, v 1.4 %, stress 1.6 % on 8 blocks, "
-    "0.1 %, 0.45 % and 0.45 % on 16; with volumes velocities do not gain",
+    "0.1 %, 0.45 % and 0.45 % on 16, with volumes velocities do not gain",
     "[verification][dynamics][fitted]") {
   const Errors coarse = errors(8, "fitted");
   CHECK(coarse.u <= 0.0025);
@@ -88,7 +88,7 @@ TEST_CASE("on linear triangles with a lumped mass fitted weights make the column
 }
 
 TEST_CASE(
-    "the squeezed column stays at rest with fitted weights; with volumes it is torn by more than g/2, twice that "
+    "the squeezed column stays at rest with fitted weights, with volumes it is torn by more than g/2, twice that "
     "on every finer grid",
     "[verification][dynamics][fitted]") {
   double before = 0.0;

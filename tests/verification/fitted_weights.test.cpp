@@ -3,6 +3,7 @@
 
 #include "../example_run.hpp"
 #include "../plate_on_basis.hpp"
+#include "shoreline/boundary/voronoi.hpp"
 
 using namespace shoreline;
 
@@ -90,18 +91,21 @@ TEST_CASE("plate with fitted weights on Powell-Sabin splines: four triangles a s
 
 namespace {
 
-/// The smooth square on Powell-Sabin splines of 16 squares a side, with 4² points a square.
+/// The smooth square on Powell-Sabin splines of 16 squares a side, with 4² points a square and their Voronoi areas.
 /// @param jitter  of the points, in parts of their spacing
 ErrorNorms smooth_square(double jitter, bool fitted) {
   Case problem = read_case(std::string(SHORELINE_EXAMPLES) + "/smooth_square/square.json", {"grid.basis=powell_sabin"});
   constexpr int side = 64;
   test::Random random(6);
-  std::vector<Case::ListedPoint> points;
+  Eigen::Matrix2Xd sites(2, side * side);
   for (int i = 0; i < side; ++i)
-    for (int j = 0; j < side; ++j) {
-      const Vec2 x = (Vec2(i + 0.5, j + 0.5) + random.vector(-jitter, jitter)) / side;
-      points.push_back({x, 1.0 / (side * side)});
-    }
+    for (int j = 0; j < side; ++j)
+      sites.col(i * side + j) = (Vec2(i + 0.5, j + 0.5) + random.vector(-jitter, jitter)) / side;
+  std::vector<SplineCurve> curves;
+  for (const Case::Boundary& piece : problem.boundaries) curves.push_back(fit_spline(piece.piece));
+  const Eigen::VectorXd area = voronoi_areas(curves, sites);
+  std::vector<Case::ListedPoint> points;
+  for (Eigen::Index p = 0; p < area.size(); ++p) points.push_back({sites.col(p), area[p]});
   problem.material_points = points;
   problem.fitted = fitted;
   Scene scene = build_scene(problem);

@@ -67,6 +67,7 @@ Essential read_essential(const Node& node, const Known& known) {
   if (node["method"].is("nitsche")) {
     essential.method = EssentialMethod::nitsche;
     essential.band = known.nitsche_band;
+    essential.narrows = !node.has("band");
   } else if (node["method"].is("grid")) {
     essential.method = EssentialMethod::grid;
     if (node.has("band")) node["band"].place.fail("found a band, expected none with \"method\": \"grid\"");

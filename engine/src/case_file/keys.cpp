@@ -36,10 +36,8 @@ Object held(bool dynamic) {
   return {{key("method", {Choice{{"implicit_boundary", "nitsche", "grid"}}}, otherwise("implicit_boundary"), "",
                "how the condition enters: penalty of a band, the same made consistent, or elimination on grid lines"),
            key("band", {Number{{0.0, 0.1, true}}}, optional, "",
-               "width of the band δ/h in cells; default 1e-3 for `implicit_boundary`; for `nitsche` 5e-4 with "
-               "`bilinear` and "
-               "B-splines of degree 1, 5e-3 with `linear`, 0.01 with other B-splines, 0.02 with `powell_sabin`; not "
-               "with `grid`")},
+               "width of the band δ/h in cells; default 1e-3 for `implicit_boundary`; for `nitsche` 0.01, 0.02 with "
+               "`powell_sabin`, less where a thin layer of a cell lies behind the edge; not with `grid`")},
           {}};
 }
 

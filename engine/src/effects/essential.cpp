@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "band_width.hpp"
 #include "edge_history.hpp"
 #include "shoreline/engine/effects.hpp"
 #include "slip_points.hpp"
@@ -11,11 +12,13 @@ namespace {
 
 class EssentialEdge final : public Contribution {
  public:
-  EssentialEdge(int piece, std::string piece_name, Essential condition, std::shared_ptr<const Material> material)
+  EssentialEdge(int piece, std::string piece_name, Essential condition, std::shared_ptr<const Material> material,
+                double gamma)
       : piece_(piece),
         piece_name_(std::move(piece_name)),
         condition_(std::move(condition)),
-        material_(std::move(material)) {}
+        material_(std::move(material)),
+        gamma_(gamma) {}
 
   [[nodiscard]] std::string name() const override {
     return (condition_.method == EssentialMethod::nitsche ? "nitsche:" : "implicit_boundary:") + piece_name_;
@@ -24,9 +27,10 @@ class EssentialEdge final : public Contribution {
   void add(const StepState& step, ElementBlocks& blocks) const override {
     const Edge& edge = step.edges[static_cast<std::size_t>(piece_)];
     const Points points = points_of(step, edge);
+    const std::vector<double> width = band_widths(step, edge, condition_, *material_, gamma_);
     for (std::size_t s = 0; s < edge.segments.size(); ++s) {
       const std::size_t block = blocks.append(step.basis.functions_of(edge.support_cell[s]));
-      const BandIntegrals band = band_of(step, edge.segments[s]);
+      const BandIntegrals band = band_integrals(condition_.method, width[s]);
       Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(2 * blocks.functions_in(block), 2 * blocks.functions_in(block));
       for (std::size_t k = s * points.per_segment; k < (s + 1) * points.per_segment; ++k) {
         const BoundaryPoint& p = points.point[k];
@@ -53,12 +57,13 @@ class EssentialEdge final : public Contribution {
   void accept(const StepState& step, const Eigen::Matrix2Xd& increment) override {
     const Edge& edge = step.edges[static_cast<std::size_t>(piece_)];
     const Points points = points_of(step, edge);
+    const std::vector<double> width = band_widths(step, edge, condition_, *material_, gamma_);
     Eigen::Matrix4Xd now(4, static_cast<Eigen::Index>(points.point.size()));
     Vec3 reaction = Vec3::Zero();
     for (std::size_t k = 0; k < points.point.size(); ++k) {
       const BoundaryPoint& p = points.point[k];
       const std::size_t s = k / points.per_segment;
-      const BandIntegrals band = band_of(step, edge.segments[s]);
+      const BandIntegrals band = band_integrals(condition_.method, width[s]);
       const EdgeOperators o = operators(step, edge.support_cell[s], p);
       Eigen::VectorXd d = local(step, edge, s, increment);
       Vec2 traction = Vec2::Zero();
@@ -119,10 +124,6 @@ class EssentialEdge final : public Contribution {
     return {std::move(points), per_segment};
   }
 
-  [[nodiscard]] BandIntegrals band_of(const StepState& step, const Segment& segment) const {
-    return band_integrals(condition_.method, condition_.band * step.basis.grid().size(segment.cell));
-  }
-
   [[nodiscard]] EdgeOperators operators(const StepState& step, Index cell, const BoundaryPoint& p) const {
     return edge_operators(step.basis.support(cell, p.x), p.normal, material_->tangent(Stress::Zero()),
                           condition_.normal_only);
@@ -132,6 +133,7 @@ class EssentialEdge final : public Contribution {
   std::string piece_name_;
   Essential condition_;
   std::shared_ptr<const Material> material_;
+  double gamma_;         ///< of the ghost penalty
   EdgeHistory carried_;  ///< traction T and slip U so far; residual loading only
   Vec3 reaction_ = Vec3::Zero();
 };
@@ -139,9 +141,10 @@ class EssentialEdge final : public Contribution {
 }  // namespace
 
 std::unique_ptr<Contribution> essential_on(int piece, std::string piece_name, Essential condition,
-                                           std::shared_ptr<const Material> material) {
+                                           std::shared_ptr<const Material> material, double gamma) {
   assert(condition.method != EssentialMethod::grid);
-  return std::make_unique<EssentialEdge>(piece, std::move(piece_name), std::move(condition), std::move(material));
+  return std::make_unique<EssentialEdge>(piece, std::move(piece_name), std::move(condition), std::move(material),
+                                         gamma);
 }
 
 }  // namespace shoreline

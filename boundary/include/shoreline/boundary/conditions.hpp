@@ -32,7 +32,8 @@ enum class EssentialMethod {
 struct Essential {
   bool normal_only = false;  ///< roller: the tangential displacement is free
   EssentialMethod method = EssentialMethod::implicit_boundary;
-  double band = 1e-3;  ///< δ/h, width of the band in cells; unused by grid
+  double band = 1e-3;    ///< δ/h, width of the band in cells; unused by grid
+  bool narrows = false;  ///< the band becomes as narrow as (D.10) asks where a thin layer lies behind the edge
   /// Prescribed displacement since the start at a boundary point and time [m]; empty: zero.
   std::function<Vec2(const BoundaryPoint&, double)> value{};
 };

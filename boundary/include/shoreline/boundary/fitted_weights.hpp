@@ -20,7 +20,7 @@ inline constexpr double least_weight = 0.05;
 ///
 /// v the plain weights times the ratio of covered area to their sum. Its multipliers are found by Newton's method,
 /// (W.2). k is the highest order of the moments given that v meets, or for which there are points_for(k) points and
-/// such weights; for k = 0 there are always some, v.
+/// such weights; v has the area, k = 0.
 ///
 /// @param x        (2, n) places of the points about the centre of the moments [m]; n >= 1
 /// @param size     of the cell [m]
@@ -29,5 +29,11 @@ inline constexpr double least_weight = 0.05;
 /// @return k
 int fit_weights(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size,
                 const Eigen::Ref<const Eigen::VectorXd>& moments, Eigen::Ref<Eigen::VectorXd> weight);
+
+/// The highest order of the moments given that weights meet, all lower ones with it; −1 if not even the area.
+/// @param x, size, moments  as fit_weights
+[[nodiscard]] int order_met(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size,
+                            const Eigen::Ref<const Eigen::VectorXd>& moments,
+                            const Eigen::Ref<const Eigen::VectorXd>& weight);
 
 }  // namespace shoreline

@@ -22,21 +22,9 @@ namespace shoreline {
   return 1e-3;
 }
 
-/// Width δ/h of the band of Nitsche's method, (D.3), in cells: on bases whose gradients jump it keeps (D.10) with that
-/// γ up to ν = 0.41 in plane strain, however thin the layer between the edge and a grid line is.
-/// @param degree  of a B-spline; of no matter to other bases
-[[nodiscard]] constexpr double nitsche_band(Case::BasisType basis, int degree = 2) {
-  switch (basis) {
-    case Case::BasisType::linear:
-      return 5e-3;
-    case Case::BasisType::powell_sabin:
-      return 0.02;
-    case Case::BasisType::bspline:
-      return degree == 1 ? 5e-4 : 0.01;
-    case Case::BasisType::bilinear:
-      break;
-  }
-  return 5e-4;
+/// Width δ/h of the band of Nitsche's method, (D.3), in cells, before thin layers narrow it, (D.10).
+[[nodiscard]] constexpr double nitsche_band(Case::BasisType basis) {
+  return basis == Case::BasisType::powell_sabin ? 0.02 : 0.01;
 }
 
 }  // namespace shoreline

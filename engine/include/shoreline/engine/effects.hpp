@@ -30,10 +30,11 @@ namespace shoreline {
 /// A pressure on one boundary piece, the traction p n, n inward, (B.8).
 [[nodiscard]] std::unique_ptr<Contribution> pressure_on(int piece, std::string piece_name, Pressure pressure);
 
-/// A piece held, or moved as prescribed, by the implicit boundary method or Nitsche's, (D.4), (D.9). @pre
-/// condition.method is not grid
+/// A piece held, or moved as prescribed, by the implicit boundary method or Nitsche's, (D.4), (D.9).
+/// @param gamma  γ of the scene's ghost penalty, by which a band that narrows does, (D.10)
+/// @pre condition.method is not grid
 [[nodiscard]] std::unique_ptr<Contribution> essential_on(int piece, std::string piece_name, Essential condition,
-                                                         std::shared_ptr<const Material> material);
+                                                         std::shared_ptr<const Material> material, double gamma = 0.0);
 
 /// A displacement at a boundary point and time [m].
 using DisplacementOnPiece = std::function<Vec2(const BoundaryPoint&, double)>;
