@@ -77,7 +77,7 @@ Case ring_sector() {
                         {named("outer", arc(Vec2::Zero(), 5.0, from, to, 33)), Case::Free{}},
                         {named("left", line(at(5.0, to), at(1.0, to))), roller},
                         {named("inner", arc(Vec2::Zero(), 1.0, to, from, 33)), Case::Pressure{Quantity(1e4)}}};
-  problem.grid = grid_around(problem.boundaries, 0.5);
+  problem.grid = grid_around(problem.boundaries, 0.25);
   return problem;
 }
 

@@ -45,13 +45,14 @@ TEST_CASE("with ghost penalty nothing depends on where the grid lies", "[stabili
 
 TEST_CASE("with fitted weights the error of quadratic bases does not depend on where the grid lies",
           "[stability][offsets]") {
+  constexpr double fit = 1e-7;  // of stresses: to which weights meet moments
   for (const Row& row : test::offset_sweep({.offsets = 12, .fitted = true})) {
     CAPTURE(name(row), row.condition.median, row.displacement.median, row.stress.median);
     check_sound(row);
     CHECK(row.condition.ratio() <= 10.0);
     const bool quadratic = test::basis_name(row.on) == "bspline 2" || test::basis_name(row.on) == "powell_sabin";
     check_spread(row, quadratic ? 1.5 : 2.5);
-    if (row.stress.largest > rounding) CHECK(row.stress.ratio() <= 5.0);
+    if (row.stress.largest > fit) CHECK(row.stress.ratio() <= 5.0);
   }
 }
 
