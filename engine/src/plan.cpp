@@ -50,6 +50,7 @@ std::string built(const Scene& scene) {
   for (const BoundaryPiece& b : scene.boundary)
     if (const auto* c = std::get_if<Essential>(&b.condition); c != nullptr && c->method == EssentialMethod::grid)
       text += "  grid:" + b.piece.name + "\n";
+  if (scene.fitted) text += "  fitted weights\n";
   for (const Probe& probe : scene.probes) text += "  probe:" + probe.name + "\n";
   return text;
 }
@@ -62,6 +63,7 @@ std::string left_out(const Case& problem) {
   unless(problem.body_force || problem.gravity, "body force", "no key body_force or gravity");
   unless(problem.material.projected_dilatation, "projected dilatation", "material.dilatation is plain");
   unless(problem.ghost > 0.0, "ghost penalty", "ghost is 0");
+  unless(problem.fitted, "fitted weights", "material_points.volumes is not fitted");
   unless(problem.exact.has_value(), "errors", "no key exact");
   unless(!problem.probes.empty(), "probes", "no key probes");
   unless(problem.condition_estimate, "condition estimate", "diagnostics.condition_estimate is false");

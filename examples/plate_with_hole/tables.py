@@ -138,6 +138,26 @@ for name, case, settings in (("tractions", "neumann", {}), ("displacements, impl
             " / ".join(rate(l2(runs[1], field), l2(last, field)) for field in ("displacement", "stress")),
             last["material_points"], last["degrees_of_freedom"], seconds(last))
 
+print("\n# Weights fitted to the outline, Nitsche's method: relative L2 errors, displacement / stress")
+ROLLERS = {f"boundaries.{p}.condition.method": "nitsche" for p in ("left", "bottom")}
+paper = run("neumann.json", cells(5) | {"material_points.volumes": "lattice", "boundaries.left.condition.band": 1e-6,
+                                        "boundaries.bottom.condition.band": 1e-6})
+PER_CELL = {"bilinear": 2, "linear": 2, "powell_sabin": 2, "bspline, degree 2": 3, "bspline, degree 3": 4}
+for name, case, settings in (("tractions", "neumann", ROLLERS), ("displacements", "dirichlet", NITSCHE)):
+    print(f"\n{name}:")
+    table("basis", "h = 1/8", "1/16", "1/32", "orders", "points at 1/32", "unknowns", "seconds", "of which weights")
+    for basis, keys in BASES.items():
+        fitted = {"material_points.volumes": "fitted", "material_points.per_cell": PER_CELL[basis]}
+        runs = [run(f"{case}.json", cells(k) | settings | fitted | {f"grid.{key}": v for key, v in keys.items()})
+                for k in (3, 4, 5)]
+        last = runs[-1]
+        row(f"{basis}", *(f"{l2(s, 'displacement'):.2e} / {l2(s, 'stress'):.2e}" for s in runs),
+            " / ".join(rate(l2(runs[1], field), l2(last, field)) for field in ("displacement", "stress")),
+            last["material_points"], last["degrees_of_freedom"], seconds(last), f"{last['timings']['weights']:.3f}")
+    if case == "neumann":
+        row("the papers' method", "", "", f"{l2(paper, 'displacement'):.2e} / {l2(paper, 'stress'):.2e}", "",
+            paper["material_points"], paper["degrees_of_freedom"], seconds(paper), "")
+
 try:
     import h5py
     import matplotlib
