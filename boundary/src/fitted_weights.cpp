@@ -158,12 +158,4 @@ int fit_weights(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size,
   return 0;
 }
 
-int order_met(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size,
-              const Eigen::Ref<const Eigen::VectorXd>& moments, const Eigen::Ref<const Eigen::VectorXd>& weight) {
-  const Wanted wanted(x, size, moments);
-  int order = order_of(moments.size());
-  while (order >= 0 && !wanted.reproduced(order, weight / moments[0])) --order;
-  return order;
-}
-
 }  // namespace shoreline

@@ -27,54 +27,60 @@ std::vector<Eigen::Index> columns_of(const PointSupports& supports, const BodyMo
   return column;
 }
 
-/// Up to which order the moments of cells are asked for: on triangles that of products of gradients; on rectangles of
-/// all but the highest mixed ones of these.
-int order_for(const Basis& basis, bool triangles) { return triangles ? basis.degree() : 2 * basis.degree(); }
+/// Up to which order moments are asked for: on triangles that of products of gradients, on rectangles of all but their
+/// highest mixed monomials. Gradients alone take one order less.
+int order_for(const Basis& basis) {
+  const bool triangles = highest_order(basis.grid()) < max_moment_order;
+  return triangles ? basis.degree() : 2 * basis.degree();
+}
 
-/// And up to which they must be met for gradients to be integrated exactly.
-int gradient_order(const Basis& basis, bool triangles) { return order_for(basis, triangles) - 1; }
+/// The weights of one cell's points as their moments ask for, and the order of those that they meet.
+struct CellFit {
+  Eigen::VectorXd weight;
+  int order = 0;
+};
 
-bool has_triangles(const Basis& basis) { return highest_order(basis.grid()) < max_moment_order; }
-
-/// Fits the weights of one cell. Where its points cannot meet all moments, they keep their plain weights.
-/// @return whether the weights integrate gradients
-bool fit_cell(const Basis& basis, const PointSupports& supports, std::size_t c, const BodyMoments& moments,
-              Eigen::Index column, const Eigen::VectorXd& plain, MaterialPoints& points) {
+CellFit fit_cell(const Basis& basis, const PointSupports& supports, std::size_t c, const BodyMoments& moments,
+                 Eigen::Index column, const MaterialPoints& points, const Eigen::VectorXd& plain) {
   const Eigen::Index n = supports.first[c + 1] - supports.first[c];
+  const Index* const point = &supports.point[at(supports.first[c])];
   Eigen::Matrix2Xd x(2, n);
-  Eigen::VectorXd weight(n);
+  CellFit fit{.weight = Eigen::VectorXd(n)};
   for (Eigen::Index k = 0; k < n; ++k) {
-    const Index p = supports.point[at(supports.first[c]) + static_cast<std::size_t>(k)];
-    x.col(k) = points.position.col(p) - moments.centre.col(column);
-    weight[k] = plain[p];
+    x.col(k) = points.position.col(point[k]) - moments.centre.col(column);
+    fit.weight[k] = plain[point[k]];
   }
-  const auto moment = moments.moment.col(column);
-  const double size = basis.grid().size(supports.cell[c]);
-  const bool integrates = order_met(x, size, moment, weight) >= gradient_order(basis, has_triangles(basis));
-  if (monomials(fit_weights(x, size, moment, weight)) < moment.size()) return integrates;
-  for (Eigen::Index k = 0; k < n; ++k)
-    points.volume[supports.point[at(supports.first[c]) + static_cast<std::size_t>(k)]] = weight[k];
-  return true;
+  fit.order = fit_weights(x, basis.grid().size(supports.cell[c]), moments.moment.col(column), fit.weight);
+  return fit;
+}
+
+/// Share of the body in elements without points.
+double unserved(const PointSupports& supports, const BodyMoments& moments) {
+  double served = 0.0;
+  for (std::size_t k = 0; k < moments.cell.size(); ++k)
+    if (supports.active[at(moments.cell[k])] != 0) served += moments.moment(0, static_cast<Eigen::Index>(k));
+  return std::max(0.0, 1.0 - served / moments.moment.row(0).sum());
 }
 
 }  // namespace
 
-WeightReport FittedVolumes::fit_cells(const Basis& basis, const PointSupports& supports, const BodyMoments& moments,
-                                      MaterialPoints& points) const {
+Index FittedVolumes::fit_cells(const Basis& basis, const PointSupports& supports, const BodyMoments& moments,
+                               MaterialPoints& points) const {
+  const int highest = order_for(basis);
   const std::vector<Eigen::Index> column = columns_of(supports, moments);
-  std::vector<char> met(supports.cell.size(), 1);
-  points.volume = start_;
+  std::vector<CellFit> fits(supports.cell.size(), {.weight = {}, .order = highest});
 #pragma omp parallel for schedule(dynamic, 64) if (worth_threads(supports.point.size()))
   for (Index c = 0; c < supports.cells(); ++c)
-    if (column[at(c)] >= 0) met[at(c)] = fit_cell(basis, supports, at(c), moments, column[at(c)], start_, points);
+    if (column[at(c)] >= 0) fits[at(c)] = fit_cell(basis, supports, at(c), moments, column[at(c)], points, start_);
 
-  WeightReport report;
-  double served = 0.0;
-  report.cells_unmet = static_cast<Index>(std::ranges::count(met, 0));
-  for (std::size_t k = 0; k < moments.cell.size(); ++k)
-    if (supports.active[at(moments.cell[k])] != 0) served += moments.moment(0, static_cast<Eigen::Index>(k));
-  report.unserved = std::max(0.0, 1.0 - served / moments.moment.row(0).sum());
-  return report;
+  const auto short_of = [](int order) { return [order](const CellFit& fit) { return fit.order < order; }; };
+  const auto unmet = static_cast<Index>(std::ranges::count_if(fits, short_of(highest - 1)));
+  points.volume = start_;
+  for (std::size_t c = 0; c < fits.size(); ++c)
+    if (unmet == 0 || fits[c].order == highest)
+      for (Eigen::Index k = 0; k < fits[c].weight.size(); ++k)
+        points.volume[supports.point[at(supports.first[c]) + static_cast<std::size_t>(k)]] = fits[c].weight[k];
+  return unmet;
 }
 
 WeightReport FittedVolumes::fit(const Basis& basis, const PointSupports& supports, const std::vector<Edge>& edges,
@@ -83,12 +89,15 @@ WeightReport FittedVolumes::fit(const Basis& basis, const PointSupports& support
   if (first) start_ = points.volume;
   std::vector<SplineCurve> curves;
   for (const Edge& edge : edges) curves.push_back(edge.curve);
-  const BodyMoments moments = body_moments(curves, basis.grid(), order_for(basis, has_triangles(basis)));
-  WeightReport report = fit_cells(basis, supports, moments, points);
-  points.volume *= moments.moment.row(0).sum() / points.volume.sum();
+  const BodyMoments moments = body_moments(curves, basis.grid(), order_for(basis));
+  WeightReport report{.cells_unmet = fit_cells(basis, supports, moments, points),
+                      .unserved = unserved(supports, moments)};
+  const double area = moments.moment.row(0).sum();
+  points.volume *= area / points.volume.sum();
   if (report.cells_unmet > 0) {
     if (!consistent_) consistent_.emplace(first ? Consistency::linear : Consistency::divergence);
     points.volume = consistent_->fit(basis, points, supports, edges);
+    points.volume *= area / points.volume.sum();  // they have it but for the tolerance, if they meet all constraints
     report.unmet = consistent_->report().unmet;
     report.iterations = consistent_->report().iterations;
     report.factorisations = consistent_->report().factorisations;

@@ -22,8 +22,9 @@ class FittedVolumes {
                    MaterialPoints& points);
 
  private:
-  [[nodiscard]] WeightReport fit_cells(const Basis& basis, const PointSupports& supports, const BodyMoments& moments,
-                                       MaterialPoints& points) const;
+  /// (W.1), and how many cells cannot integrate gradients; then those that do not meet all moments keep their volumes.
+  [[nodiscard]] Index fit_cells(const Basis& basis, const PointSupports& supports, const BodyMoments& moments,
+                                MaterialPoints& points) const;
 
   Eigen::VectorXd start_;  ///< volumes before the first fit [m²]
   /// Made where it is needed: linear for points that never met the moments, divergence for those that lost them as they

@@ -132,13 +132,3 @@ TEST_CASE("the order falls to that for which there are 1.5 points a moment, or w
   CHECK(order(4) == 3);
   CHECK(order(5) == 4);
 }
-
-TEST_CASE("weights tell which moments they meet", "[boundary][fitted_weights]") {
-  auto [x, weight] = lattice(1.0, 2.0, 5);
-  const Eigen::VectorXd moments = cut_square(1.0, 2.0, 4);
-  CHECK(order_met(x, 1.0, moments, weight) == 1);
-  CHECK(order_met(x, 1.0, moments, 1.1 * weight) == -1);
-  weight[0] += 0.01;
-  weight[1] -= 0.01;
-  CHECK(order_met(x, 1.0, moments, weight) == 0);
-}

@@ -110,7 +110,7 @@ TEST_CASE("the ghost penalty and the band of Nitsche's method suit the basis", "
   CHECK(nitsche("bilinear", {}).ghost == 1e-3);
   CHECK(nitsche("linear", {}).ghost == 1e-2);
   CHECK(nitsche("powell_sabin", {}).ghost == 1e-4);
-  CHECK(nitsche("bspline", {}).ghost == 3e-4);
+  CHECK(nitsche("bspline", {}).ghost == 5e-4);
   CHECK(band(nitsche("linear", {})) == 0.01);
   CHECK(band(nitsche("bspline", {})) == 0.01);
   CHECK(std::get<Essential>(nitsche("bspline", {}).boundaries[0].condition).narrows);
@@ -124,7 +124,7 @@ TEST_CASE("the ghost penalty and the band of Nitsche's method suit the basis", "
   };
   CHECK(penalty("bilinear") == 0.0);
   CHECK(penalty("linear") == 0.0);
-  CHECK(penalty("bspline") == 3e-4);
+  CHECK(penalty("bspline") == 5e-4);
   CHECK(penalty("powell_sabin") == 1e-4);
   CHECK(nitsche("powell_sabin", {"boundaries.outline.condition.method=grid"}).ghost == 0.0);
 }

@@ -9,7 +9,7 @@ TEST_CASE("the penalty suits the basis: more for linear triangles, less for Powe
           "[engine][defaults]") {
   CHECK(ghost_for_nitsche(Case::BasisType::bilinear) == 1e-3);
   CHECK(ghost_for_nitsche(Case::BasisType::bspline, 1) == 1e-3);
-  CHECK(ghost_for_nitsche(Case::BasisType::bspline, 2) == 3e-4);
+  CHECK(ghost_for_nitsche(Case::BasisType::bspline, 2) == 5e-4);
   CHECK(ghost_for_nitsche(Case::BasisType::bspline, 3) == 1e-5);
   CHECK(ghost_for_nitsche(Case::BasisType::linear) == 1e-2);
   CHECK(ghost_for_nitsche(Case::BasisType::powell_sabin) == 1e-4);

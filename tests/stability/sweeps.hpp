@@ -1,6 +1,8 @@
 #pragma once
 // Sweeps over what makes a cut-cell method fail. Tests run them small, with bounds; stability_table runs them whole.
 
+#include <array>
+
 #include "hard_case.hpp"
 
 namespace shoreline::test {
@@ -59,5 +61,35 @@ struct CrossingRow {
   double dynamic_energy;
 };
 [[nodiscard]] std::vector<CrossingRow> crossing_sweep();
+
+/// Errors of the pressure as ν tends to ½, with and without projected dilatation, by Nitsche's method.
+inline constexpr std::array<double, 3> poissons_ratios{0.3, 0.49, 0.4999};
+struct PressureRow {
+  std::string basis;
+  std::array<double, 3> plain{};      ///< L2 [Pa m]
+  std::array<double, 3> projected{};  ///< L2 [Pa m]
+};
+[[nodiscard]] std::vector<PressureRow> pressure_sweep(Index cells);
+
+/// The critical time step while the top of a column of 8 blocks passes through a cell [s].
+struct SurfaceRow {
+  std::vector<std::string> mass;  ///< as overrides of the case
+  std::string volumes;
+  double full = 0.0;  ///< with full cells
+  double least = 0.0;
+  double most = 0.0;
+};
+[[nodiscard]] SurfaceRow surface_sweep(const std::vector<std::string>& mass, const std::string& volumes, int places);
+
+/// Root of the mean over the points of their acceleration in the column at rest under its weight, in parts of g; exact
+/// integrals would give none.
+[[nodiscard]] double spurious_acceleration(int rows, const std::string& volumes);
+
+/// Time-averaged errors of the column to 1 s, partly lumped and pic, as shares of κ H, 2 κ c and σ₀, and the largest
+/// change of energy in parts of the strain energy that swings.
+struct ColumnErrors {
+  double u, v, stress, energy;
+};
+[[nodiscard]] ColumnErrors column_errors(int rows, const std::string& volumes);
 
 }  // namespace shoreline::test

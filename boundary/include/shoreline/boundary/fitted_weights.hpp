@@ -30,10 +30,4 @@ inline constexpr double least_weight = 0.05;
 int fit_weights(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size,
                 const Eigen::Ref<const Eigen::VectorXd>& moments, Eigen::Ref<Eigen::VectorXd> weight);
 
-/// The highest order of the moments given that weights meet, all lower ones with it; −1 if not even the area.
-/// @param x, size, moments  as fit_weights
-[[nodiscard]] int order_met(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size,
-                            const Eigen::Ref<const Eigen::VectorXd>& moments,
-                            const Eigen::Ref<const Eigen::VectorXd>& weight);
-
 }  // namespace shoreline

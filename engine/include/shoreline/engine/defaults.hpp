@@ -15,7 +15,7 @@ namespace shoreline {
     case Case::BasisType::powell_sabin:
       return 1e-4;
     case Case::BasisType::bspline:
-      return degree == 3 ? 1e-5 : degree == 2 ? 3e-4 : 1e-3;
+      return degree == 3 ? 1e-5 : degree == 2 ? 5e-4 : 1e-3;
     case Case::BasisType::bilinear:
       break;
   }
