@@ -58,7 +58,7 @@ std::string built(const Scene& scene) {
 std::string left_out(const Case& problem) {
   std::string text;
   const auto unless = [&](bool named, const char* effect, const char* why) {
-    if (!named) text += fmt::format("  {:<20}{}\n", effect, why);
+    if (!named) text += fmt::format("  {:<22}{}\n", effect, why);
   };
   unless(problem.body_force || problem.gravity, "body force", "no key body_force or gravity");
   unless(problem.material.projected_dilatation, "projected dilatation", "material.dilatation is plain");

@@ -104,6 +104,15 @@ std::string diagnostics_of(const Diagnostics& d) {
   return text + "\n";
 }
 
+std::string weights_of(const WeightReport& w) {
+  std::string text =
+      fmt::format("\nfitted weights: {:.0f} % of the points changed by more than a tenth, {} at the bound",
+                  100.0 * w.changed, w.bounded);
+  if (w.iterations > 0) text += fmt::format("; constraints unmet by up to {:.1e} of the largest", w.unmet);
+  if (w.unserved > 0.0) text += fmt::format("; {:.1e} of the body lies in elements without points", w.unserved);
+  return text + "\n";
+}
+
 std::string timings_of(const Summary& summary) {
   std::string text = fmt::format("{:<22}{:>14}\n", "time", "seconds");
   for (const auto& [phase, seconds] : summary.timings) text += fmt::format("  {:<20}{:>14.4f}\n", phase, seconds);
@@ -125,6 +134,7 @@ std::string report(const Summary& summary, const std::filesystem::path& output) 
   if (summary.projection_errors) text += "\n" + errors_of(*summary.projection_errors);
   text += fits_of(summary) + probes_of(summary) + "\n" + timings_of(summary);
   if (summary.condition_estimate) text += fmt::format("\ncondition estimate: {:.2e}\n", *summary.condition_estimate);
+  if (summary.fitted_weights) text += weights_of(*summary.fitted_weights);
   if (summary.diagnostics) text += diagnostics_of(*summary.diagnostics);
   if (!summary.warnings.empty()) text += "\n";
   for (const std::string& warning : summary.warnings) text += "warning: " + warning + "\n";

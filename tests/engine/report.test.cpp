@@ -99,3 +99,16 @@ TEST_CASE("the report tells of weak spots in two lines, where there is something
                                          Contains("smallest pivot 1.0e-08, y of the function at (1, 2)") &&
                                          Contains("fewest points in a cell 1; stray points 2, first at (3, 4)"));
 }
+
+TEST_CASE("the report tells what fitting the weights came to", "[engine][report]") {
+  Summary summary;
+  CHECK_THAT(report(summary, "out"), !Contains("fitted weights"));
+  summary.fitted_weights = WeightReport{.changed = 0.25, .bounded = 7};
+  CHECK_THAT(report(summary, "out"), Contains("fitted weights: 25 % of the points changed") &&
+                                         Contains("7 at the bound") && !Contains("unmet") &&
+                                         !Contains("without points"));
+  summary.fitted_weights->iterations = 3;
+  summary.fitted_weights->unmet = 2e-3;
+  summary.fitted_weights->unserved = 1e-5;
+  CHECK_THAT(report(summary, "out"), Contains("unmet by up to 2.0e-03") && Contains("1.0e-05 of the body"));
+}
