@@ -109,6 +109,23 @@ void warn_nearly_incompressible(const Scene& scene, std::vector<std::string>& wa
                   ratio));
 }
 
+/// Lets the contributions take note of what the step found, and adds up what acts at its end.
+Resultants accept(const Scene& scene, const StepState& state, const Eigen::Matrix2Xd& increment,
+                  const std::vector<Constraint>& constraints, Workspace& work) {
+  Resultants now;
+  for (const auto& effect : scene.contributions) {
+    effect->accept(state, increment);
+    effect->report(now);
+  }
+  if (!constraints.empty()) {
+    if (scene.loading == Loading::residual) work.grid_reactions.clear();
+    const Eigen::Matrix2Xd force = work.system.assembler.reactions(work.system.blocks, increment);
+    add_grid_reactions(scene, constraints, force, work.grid_reactions);
+  }
+  now.reactions.insert(work.grid_reactions.begin(), work.grid_reactions.end());
+  return now;
+}
+
 void run_step(Scene& scene, int step, const QuasiStaticOptions& options, Workspace& work, RunRecord& record) {
   Clock& clock = record.phases;
   work.supports =
@@ -140,18 +157,7 @@ void run_step(Scene& scene, int step, const QuasiStaticOptions& options, Workspa
   record.largest_increment = increment.size() == 0 ? 0.0 : increment.cwiseAbs().maxCoeff();
 
   clock.time("update", [&] {
-    Resultants now;
-    for (const auto& effect : scene.contributions) {
-      effect->accept(state, increment);
-      effect->report(now);
-    }
-    if (!constraints.empty()) {
-      if (scene.loading == Loading::residual) work.grid_reactions.clear();
-      const Eigen::Matrix2Xd force = work.system.assembler.reactions(work.system.blocks, increment);
-      add_grid_reactions(scene, constraints, force, work.grid_reactions);
-    }
-    now.reactions.insert(work.grid_reactions.begin(), work.grid_reactions.end());
-    record.resultants = std::move(now);
+    record.resultants = accept(scene, state, increment, constraints, work);
     if (dilatation) project_stresses(*dilatation, supports, increment, scene.points);
     move_points(scene, supports, increment, scene.points);
     move_boundary(scene, edges, increment);
