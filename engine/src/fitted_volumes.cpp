@@ -12,7 +12,6 @@ namespace shoreline {
 namespace {
 
 constexpr double changed = 0.1;  ///< of a plain weight
-constexpr double met = 1e-8;     ///< of the area of a cell
 constexpr double at_bound = 1.0 + 1e-9;
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
