@@ -8,6 +8,7 @@
 #include "dynamics/dynamic_run.hpp"
 #include "make_basis.hpp"
 #include "projection_run.hpp"
+#include "record_in_summary.hpp"
 #include "saved_step.hpp"
 #include "shoreline/engine/failures.hpp"
 #include "shoreline/engine/linear_solver.hpp"
@@ -34,17 +35,8 @@ ErrorNorms errors_of(const Scene& scene, const RunRecord& record, bool radii, do
 /// What the record of a run tells, in the form of the summary.
 /// @param total  since the start of the run [s]
 void take_over(const RunRecord& record, double total, Summary& summary) {
-  summary.steps = record.steps;
-  summary.degrees_of_freedom = record.degrees_of_freedom;
-  summary.effects.clear();
-  for (const Clock::Entry& e : record.effects.entries()) summary.effects.push_back({e.name, e.calls, e.seconds});
-  summary.timings = {{"total", total}};
-  for (const Clock::Entry& e : record.phases.entries()) summary.timings.emplace_back(e.name, e.seconds);
-  summary.loads = record.resultants.loads;
-  summary.reactions = record.resultants.reactions;
-  summary.displacement_fit = record.fit_errors;
+  take_over_common(record, total, summary);
   summary.condition_estimate = record.condition_estimate;
-  summary.fitted_weights = record.weights;
   summary.diagnostics = record.diagnostics;
   summary.extended_share = record.extended_share;
   summary.counters = {{"factorisations", record.factorisations}, {"analyses", record.analyses}};
@@ -132,7 +124,6 @@ Summary run(const Case& problem, const RunOptions& options) {
         record.warnings.push_back(*warning);
     summary.probes = scene.probes;
     take_over(record, std::chrono::duration<double>(std::chrono::steady_clock::now() - start_time).count(), summary);
-    summary.warnings = record.warnings;
     write_summary(summary, options.output);
   };
   try {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "../make_basis.hpp"
+#include "../record_in_summary.hpp"
 #include "../saved_step.hpp"
 #include "shoreline/engine/dynamics.hpp"
 #include "shoreline/engine/error_norms.hpp"
@@ -86,17 +87,8 @@ Summary start(const Case& problem, const DynamicScene& scene, int threads) {
 }
 
 void take_over(const DynamicRecord& record, double total, Summary& summary) {
-  summary.steps = record.steps;
-  summary.degrees_of_freedom = record.degrees_of_freedom;
-  for (const Clock::Entry& e : record.effects.entries()) summary.effects.push_back({e.name, e.calls, e.seconds});
-  summary.timings = {{"total", total}};
-  for (const Clock::Entry& e : record.phases.entries()) summary.timings.emplace_back(e.name, e.seconds);
-  summary.loads = record.resultants.loads;
-  summary.reactions = record.resultants.reactions;
-  summary.displacement_fit = record.fit_errors;
-  summary.warnings = record.warnings;
+  take_over_common(record, total, summary);
   summary.history = record.history;
-  summary.fitted_weights = record.weights;
   summary.counters = {{"mass_iterations", record.mass_iterations},
                       {"critical_step_iterations", record.critical_step_iterations}};
   Summary::Dynamics& dynamics = *summary.dynamics;
