@@ -58,7 +58,7 @@ TEST_CASE("fitted weights keep the balance of momentum, on every basis", "[engin
   for (const auto& [name, grid] : test::every_grid(Vec2::Zero(), 4.0, 4)) {
     CAPTURE(name);
     DynamicScene scene = block(grid, 3.3, true);
-    CHECK(test::worst_imbalance(scene) < 1e-11);
+    CHECK(test::worst_imbalance(scene) < 1e-12);
   }
 }
 
