@@ -26,8 +26,7 @@ void add_boundary_effects(Scene& scene, const std::shared_ptr<const Material>& l
         Overloaded{[](const Free&) {}, [&](const Traction& c) { effects.push_back(traction_on(piece, name, c)); },
                    [&](const Pressure& c) { effects.push_back(pressure_on(piece, name, c)); },
                    [&](const Essential& c) {
-                     if (c.method != EssentialMethod::grid)
-                       effects.push_back(essential_on(piece, name, c, law, gamma));
+                     if (c.method != EssentialMethod::grid) effects.push_back(essential_on(piece, name, c, law, gamma));
                      if (scene.exact)
                        effects.push_back(boundary_error(piece, name, c.normal_only,
                                                         exact_displacement(scene.boundary[k].original, *scene.exact)));

@@ -2,7 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-
 using namespace shoreline;
 
 TEST_CASE("the penalty suits the basis: more for linear triangles, less for Powell-Sabin and cubic splines",

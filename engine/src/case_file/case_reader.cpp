@@ -185,8 +185,8 @@ Case case_of(const Node& root, const std::filesystem::path& file) {
   const Constants constants = read_constants(root["constants"]);
   problem.grid = read_grid(root["grid"], file.parent_path());
   if (root.has("boundaries"))
-    problem.boundaries = read_boundaries(
-        root["boundaries"], {constants, root.has("exact"), nitsche_band(problem.grid.basis)});
+    problem.boundaries =
+        read_boundaries(root["boundaries"], {constants, root.has("exact"), nitsche_band(problem.grid.basis)});
   if (root.has("material_points")) {
     problem.material_points = read_material_points(root["material_points"], problem.grid);
     problem.fitted = root["material_points"]["volumes"].is("fitted");

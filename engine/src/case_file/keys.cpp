@@ -163,7 +163,8 @@ Object quasi_static_case() {
        key("body_force", several(2, {Formula{}}), optional, "N/m³", "force per volume, x and y"),
        key("gravity", several(2, any_number()), optional, "m/s²", "acceleration, x and y; needs `material.density`"),
        key("ghost", {Number{{0.0, 1e6}}}, optional, "",
-           "γ of the ghost penalty; default 5e-4 for `bspline` (degree 1: 1e-3, degree 3: 1e-5) and 1e-4 for `powell_sabin` unless "
+           "γ of the ghost penalty; default 5e-4 for `bspline` (degree 1: 1e-3, degree 3: 1e-5) and 1e-4 for "
+           "`powell_sabin` unless "
            "every "
            "piece has method `grid`; 0 for `bilinear` and `linear`, but 1e-3 and 1e-2 where a piece uses `nitsche`"),
        constants(),

@@ -34,8 +34,7 @@ namespace shoreline {
                                                      double gamma) {
   constexpr double narrowest = 1e-6;  // of a cell
   std::vector<double> widths;
-  for (const Segment& segment : edge.segments)
-    widths.push_back(condition.band * step.basis.grid().size(segment.cell));
+  for (const Segment& segment : edge.segments) widths.push_back(condition.band * step.basis.grid().size(segment.cell));
   if (!condition.narrows || step.basis.continuity() > 0) return widths;
 
   std::map<Index, double> length;

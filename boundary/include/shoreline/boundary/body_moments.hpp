@@ -22,7 +22,8 @@ struct BodyMoments {
 ///
 /// @param curves  that close into loops
 /// @param order   highest a + b, 0 to highest_order
-/// @throws OutsideGrid if a curve leaves a grid of triangles, or one of rectangles by more than a cell; InvalidArgument if the order is out of range
+/// @throws OutsideGrid if a curve leaves a grid of triangles, or one of rectangles by more than a cell; InvalidArgument
+/// if the order is out of range
 [[nodiscard]] BodyMoments body_moments(std::span<const SplineCurve> curves, const Grid& grid, int order);
 
 /// 8 on rectangles, 2 on triangles.
