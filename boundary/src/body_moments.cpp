@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <functional>
 #include <string>
 
 #include "shoreline/bases/error.hpp"
@@ -37,31 +37,47 @@ Eigen::VectorXd shifted(const Eigen::Ref<const Eigen::VectorXd>& moments, const 
   return result;
 }
 
+/// Adds moments to those of a cell, which may not be there yet.
+void add(Index cell, const Eigen::VectorXd& moment, std::vector<Index>& cells, std::vector<double>& moments) {
+  const auto place = std::ranges::lower_bound(cells, cell) - cells.begin();
+  const auto first = moments.begin() + place * moment.size();
+  if (place == std::ssize(cells) || cells[static_cast<std::size_t>(place)] != cell) {
+    cells.insert(cells.begin() + place, cell);
+    moments.insert(first, moment.begin(), moment.end());
+  } else {
+    std::ranges::transform(moment, std::ranges::subrange(first, first + moment.size()), first, std::plus());
+  }
+}
+
 /// A frame of cells around the grid takes what bulges out of it, which then counts for the cells at its border.
 BodyMoments of_rectangles(std::span<const SplineCurve> curves, const QuadrilateralGrid& grid, int order) {
   const QuadrilateralGrid framed(grid.bounds().lower - grid.spacing(), grid.spacing(),
                                  {grid.columns() + 2, grid.rows() + 2});
   const CellMoments found = cell_moments(curves, framed, order);
-  std::map<Index, Eigen::VectorXd> sum;
+  std::vector<Index> cells;  // ascending, as those of the frame's lattice are
+  std::vector<double> flat;
+  std::vector<std::pair<Index, Eigen::VectorXd>> bulges;
   for (std::size_t k = 0; k < found.cell.size(); ++k) {
     const Index column = found.cell[k] % framed.columns() - 1;
     const Index row = found.cell[k] / framed.columns() - 1;
     const Index i = std::clamp(column, 0, grid.columns() - 1);
     const Index j = std::clamp(row, 0, grid.rows() - 1);
     const auto moment = found.moment.col(static_cast<Eigen::Index>(k));
-    const bool inside = i == column && j == row;
-    const Vec2 from = Vec2(column - i, row - j).cwiseProduct(grid.spacing());
-    const auto [at, is_new] = sum.try_emplace(i + j * grid.columns(), Eigen::VectorXd::Zero(moment.size()));
-    at->second += inside ? Eigen::VectorXd(moment) : shifted(moment, from, order);
+    if (i == column && j == row) {
+      cells.push_back(i + j * grid.columns());
+      flat.insert(flat.end(), moment.begin(), moment.end());
+    } else {
+      const Vec2 from = Vec2(column - i, row - j).cwiseProduct(grid.spacing());
+      bulges.emplace_back(i + j * grid.columns(), shifted(moment, from, order));
+    }
   }
-  BodyMoments moments = sized(sum.size(), order);
-  Eigen::Index k = 0;
-  for (const auto& [cell, moment] : sum) {
-    moments.cell.push_back(cell);
-    moments.centre.col(k) = grid.corner(cell) + 0.5 * grid.spacing();
-    moments.whole[k] = grid.spacing().prod();
-    moments.moment.col(k++) = moment;
-  }
+  for (const auto& [cell, moment] : bulges) add(cell, moment, cells, flat);
+  BodyMoments moments = sized(cells.size(), order);
+  moments.moment = Eigen::Map<const Eigen::MatrixXd>(flat.data(), moments.moment.rows(), moments.moment.cols());
+  moments.whole.setConstant(grid.spacing().prod());
+  for (Eigen::Index k = 0; k < moments.centre.cols(); ++k)
+    moments.centre.col(k) = grid.corner(cells[static_cast<std::size_t>(k)]) + 0.5 * grid.spacing();
+  moments.cell = std::move(cells);
   return moments;
 }
 

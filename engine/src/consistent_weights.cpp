@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "shoreline/boundary/fitted_weights.hpp"
 #include "shoreline/engine/failures.hpp"
 
 namespace shoreline {
@@ -13,7 +14,6 @@ namespace {
 
 std::size_t at(Index i) { return static_cast<std::size_t>(i); }
 
-constexpr double bound = 0.05;       ///< β: least weight, in parts of the plain one
 constexpr double tolerance = 1e-6;   ///< of the residual, in parts of the largest right side
 constexpr double firm = 1e-8;        ///< ε of (W.7), in parts of the largest diagonal of its rows
 constexpr double soft = 1e-3;        ///< and of (W.8)
@@ -44,7 +44,7 @@ struct ConsistentWeights::State {
 void ConsistentWeights::evaluate(const WeightConstraints& constraints, const Eigen::VectorXd& plain,
                                  State& state) const {
   const Eigen::ArrayXd change = constraints.at_points(state.multiplier).array();
-  const Eigen::ArrayXd free = (1.0 + change).max(bound);
+  const Eigen::ArrayXd free = (1.0 + change).max(least_weight);
   state.weight = plain.array() * free;
   state.residual = constraints.sums(state.weight) - right_side_ + softness_.cwiseProduct(state.multiplier);
 }
@@ -59,7 +59,7 @@ void ConsistentWeights::assemble(const WeightConstraints& constraints, const Eig
 
 void ConsistentWeights::factorise(const WeightConstraints& constraints, const Eigen::VectorXd& plain,
                                   const State& state) {
-  assemble(constraints, (state.weight.array() > bound * plain.array()).select(plain, 0.0));
+  assemble(constraints, (state.weight.array() > least_weight * plain.array()).select(plain, 0.0));
   for (Index e = 0; e < matrix_.size; ++e) matrix_.value[at(matrix_.column[at(e)])] += softness_[assembler_.unknown(e)];
   if (!std::exchange(analysed_, true)) solver_.analyse(matrix_);
   solver_.factorize(matrix_);
@@ -155,7 +155,7 @@ Eigen::VectorXd ConsistentWeights::fit(const Basis& basis, const MaterialPoints&
   }
   trend_ = state.multiplier - multiplier_;
   multiplier_ = state.multiplier;
-  report_.bounded = static_cast<Index>((state.weight.array() <= bound * plain.array()).count());
+  report_.bounded = static_cast<Index>((state.weight.array() <= least_weight * plain.array()).count());
   report_.changed = static_cast<double>(((state.weight - plain).array().abs() > 0.1 * plain.array()).count()) /
                     static_cast<double>(std::max<Index>(1, points.size()));
   report_.unmet = (state.residual - softness_.cwiseProduct(multiplier_)).cwiseAbs().maxCoeff() / largest;

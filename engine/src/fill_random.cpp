@@ -5,7 +5,7 @@
 #include <random>
 
 #include "grid_under.hpp"
-#include "shoreline/boundary/triangle_moments.hpp"
+#include "shoreline/boundary/body_moments.hpp"
 #include "shoreline/boundary/voronoi.hpp"
 #include "shoreline/engine/fill.hpp"
 
@@ -23,24 +23,13 @@ struct CoveredCell {
   Vec2 centroid;  ///< of that part [m]
 };
 
-std::vector<CoveredCell> covered_cells(std::span<const SplineCurve> curves, const QuadrilateralGrid& grid) {
-  const CellMoments covered = cell_moments(curves, grid, 1);
+std::vector<CoveredCell> covered_cells(std::span<const SplineCurve> curves, const Grid& grid) {
+  const BodyMoments covered = body_moments(curves, grid, 1);
   std::vector<CoveredCell> cells;
   for (std::size_t k = 0; k < covered.cell.size(); ++k) {
-    const auto moment = covered.moment.col(static_cast<Eigen::Index>(k));
-    const Vec2 centre = grid.corner(covered.cell[k]) + 0.5 * grid.spacing();
-    cells.push_back({covered.cell[k], moment[0], centre + moment.segment<2>(1) / moment[0]});
-  }
-  return cells;
-}
-
-std::vector<CoveredCell> covered_cells(std::span<const SplineCurve> curves, const TriangleGrid& grid) {
-  const TriangleMoments covered = triangle_moments(curves, grid, 1);
-  std::vector<CoveredCell> cells;
-  for (std::size_t k = 0; k < covered.sub_cell.size(); ++k) {
-    const auto moment = covered.moment.col(static_cast<Eigen::Index>(k));
-    const auto [a, b, c] = corners(grid.mesh(), covered.sub_cell[k]);
-    cells.push_back({covered.sub_cell[k], moment[0], (a + b + c) / 3.0 + moment.segment<2>(1) / moment[0]});
+    const auto column = static_cast<Eigen::Index>(k);
+    const auto moment = covered.moment.col(column);
+    cells.push_back({covered.cell[k], moment[0], covered.centre.col(column) + moment.segment<2>(1) / moment[0]});
   }
   return cells;
 }

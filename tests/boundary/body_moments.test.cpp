@@ -79,6 +79,19 @@ TEST_CASE("a cell that the body covers whole has the moments of the cell", "[bou
   CHECK(whole > 2);
 }
 
+TEST_CASE("what bulges out of a grid of rectangles counts for the cells at its border", "[boundary][body_moments]") {
+  const std::vector<SplineCurve> body{
+      fit_spline(line({0.5, 0.5}, {3.0, 0.5})),
+      fit_spline({.name = "right", .points = {Vec2(3.0, 0.5), Vec2(3.008, 1.7), Vec2(3.0, 3.0)}}),
+      fit_spline({.name = "top", .points = {Vec2(3.0, 3.0), Vec2(1.6, 3.006), Vec2(0.5, 3.0)}}),
+      fit_spline(line({0.5, 3.0}, {0.5, 0.5}))};
+  const QuadrilateralGrid wide({0.0, 0.0}, {1.0, 1.0}, {5, 5});
+  const QuadrilateralGrid tight({0.0, 0.0}, {1.0, 1.0}, {3, 3});
+  const BodyMoments moments = body_moments(body, tight, 2);
+  CHECK(moments.cell.size() == 9);
+  CHECK((total(moments) - total(body_moments(body, wide, 2))).norm() < 1e-13);
+}
+
 TEST_CASE("body moments refuse an order beyond the grid's highest, and a curve outside", "[boundary][body_moments]") {
   const TriangleGrid triangles(test::lattice(4, 4, TrianglePattern::diagonal));
   const QuadrilateralGrid rectangles({0.0, 0.0}, {1.0, 1.0}, {2, 4});

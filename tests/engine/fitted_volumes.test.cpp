@@ -47,7 +47,7 @@ TEST_CASE("as a body moves, fitted weights sum to the area of its outline, and n
     RunRecord record;
     const auto after_step = [&](int step) {
       CAPTURE(static_cast<int>(basis), degree, step);
-      CHECK_THAT(scene.points.volume.sum(), WithinRel(before, 1e-5));
+      CHECK_THAT(scene.points.volume.sum(), WithinRel(before, 1e-12));
       CHECK((scene.points.volume.array() >= 0.9 * least * least * start.array() * before / first).all());
       before = area_of(scene);
     };
