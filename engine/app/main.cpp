@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -15,6 +16,7 @@
 #include "shoreline/engine/failures.hpp"
 #include "shoreline/engine/report.hpp"
 #include "shoreline/engine/run.hpp"
+#include "shoreline/engine/study.hpp"
 #include "shoreline/engine/version.hpp"
 
 namespace {
@@ -28,6 +30,8 @@ struct Arguments {
   std::optional<int> threads;
   bool quiet = false;
   bool markdown = false;
+  bool study = false;
+  std::optional<shoreline::Tolerance> tolerance;
 };
 
 std::vector<std::string> overrides_of(const Arguments& arguments) {
@@ -36,12 +40,47 @@ std::vector<std::string> overrides_of(const Arguments& arguments) {
   return overrides;
 }
 
+std::filesystem::path output_of(const Arguments& arguments) {
+  if (!arguments.output.empty()) return arguments.output;
+  return "out" / std::filesystem::path(arguments.file).stem();
+}
+
 void run_case(const Arguments& arguments) {
   const shoreline::Case problem = shoreline::read_case(arguments.file, overrides_of(arguments));
-  std::filesystem::path output = arguments.output;
-  if (output.empty()) output = "out" / std::filesystem::path(arguments.file).stem();
+  const std::filesystem::path output = output_of(arguments);
   const shoreline::Summary summary = shoreline::run(problem, {.output = output, .quiet = arguments.quiet});
   std::cout << shoreline::report(summary, output);
+}
+
+/// Status 1 where no run completed.
+void run_study(const Arguments& arguments) {
+  const shoreline::Study study = shoreline::read_study(arguments.file);
+  const shoreline::StudyOutcome outcome = shoreline::run_study(study, {.output = output_of(arguments),
+                                                                       .program = "/proc/self/exe",
+                                                                       .threads = arguments.threads,
+                                                                       .quiet = arguments.quiet,
+                                                                       .tolerance = arguments.tolerance});
+  std::cout << outcome.report;
+  if (outcome.failures == outcome.runs)
+    throw shoreline::ComputationError("all runs of the study failed; the table above says why");
+}
+
+/// NORM=VALUE
+shoreline::Tolerance tolerance_in(const std::string& text) {
+  const std::size_t equals = text.find('=');
+  double value = 0.0;
+  const std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+  if (equals == 0 || error != std::errc() || end != number.data() + number.size() || !(value > 0.0))
+    throw CLI::ValidationError("--tolerance", "found \"" + text +
+                                                  "\", expected NORM=VALUE like stress.l2_relative=1e-2, a value > 0");
+  return {text.substr(0, equals), value};
+}
+
+void add_output(CLI::App& command, Arguments& arguments) {
+  command.add_option("--output", arguments.output, "folder of the results; default: out/<file name>");
+  command.add_option("--threads", arguments.threads, "threads; default: as the file says, else all cores");
+  command.add_flag("--quiet", arguments.quiet, "no progress");
 }
 
 void add_case(CLI::App& command, Arguments& arguments) {
@@ -53,12 +92,15 @@ void add_case(CLI::App& command, Arguments& arguments) {
       ->allow_extra_args(false);
 }
 
+std::string schema_text(const Arguments& arguments) {
+  if (arguments.study) return arguments.markdown ? shoreline::study_format() : shoreline::study_schema();
+  return arguments.markdown ? shoreline::case_format() : shoreline::case_schema();
+}
+
 void add_commands(CLI::App& app, Arguments& arguments) {
   CLI::App* run = app.add_subcommand("run", "compute a case");
   add_case(*run, arguments);
-  run->add_option("--output", arguments.output, "folder of the results; default: out/<case file name>");
-  run->add_option("--threads", arguments.threads, "threads; default: as the case says, else all cores");
-  run->add_flag("--quiet", arguments.quiet, "no progress on a terminal");
+  add_output(*run, arguments);
   run->callback([&arguments] { run_case(arguments); });
 
   CLI::App* check = app.add_subcommand("check", "check a case and print what a run would do; runs nothing");
@@ -66,15 +108,25 @@ void add_commands(CLI::App& app, Arguments& arguments) {
   check->callback(
       [&arguments] { std::cout << shoreline::plan(shoreline::read_case(arguments.file, overrides_of(arguments))); });
 
+  CLI::App* study = app.add_subcommand("study", "run a case over sweeps of its keys: errors, rates, costs");
+  study->add_option("STUDY", arguments.file, "study file, JSON")->required();
+  add_output(*study, arguments);
+  study
+      ->add_option_function<std::string>(
+          "--tolerance", [&arguments](const std::string& text) { arguments.tolerance = tolerance_in(text); },
+          "name the cheapest setting that meets it: --tolerance stress.l2_relative=1e-2")
+      ->type_name("NORM=VALUE");
+  study->callback([&arguments] { run_study(arguments); });
+
   CLI::App* schema = app.add_subcommand("schema", "print the JSON Schema of a case");
-  schema->add_flag("--markdown", arguments.markdown, "as the page docs/case_format.md instead");
-  schema->callback(
-      [&arguments] { std::cout << (arguments.markdown ? shoreline::case_format() : shoreline::case_schema()); });
+  schema->add_flag("--study", arguments.study, "of a study");
+  schema->add_flag("--markdown", arguments.markdown, "as the page docs/case_format.md or docs/study_format.md instead");
+  schema->callback([&arguments] { std::cout << schema_text(arguments); });
 }
 
 /// CLI11 would call a misspelt command an unexpected argument.
 void refuse_unknown_command(const std::vector<std::string>& words) {
-  const std::vector<std::string> commands{"run", "check", "schema"};
+  const std::vector<std::string> commands{"run", "check", "study", "schema"};
   if (words.empty())
     throw CLI::ValidationError("no command", shoreline::expected_one_of(commands, "") + "; see shoreline --help");
   const std::string& word = words.front();

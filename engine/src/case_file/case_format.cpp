@@ -33,6 +33,6 @@ word.
 
 }  // namespace
 
-std::string case_format() { return introduction + keys::reference_page(keys::case_keys()); }
+std::string case_format() { return introduction + keys::reference_page(keys::case_keys(), "The case"); }
 
 }  // namespace shoreline

@@ -3,10 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 
 #include "boundary_reader.hpp"
 #include "dynamics_reader.hpp"
@@ -15,18 +11,10 @@
 #include "overrides.hpp"
 #include "point_reader.hpp"
 #include "shoreline/engine/defaults.hpp"
+#include "text_file.hpp"
 
 namespace shoreline {
 namespace {
-
-std::string text_of(const std::filesystem::path& file) {
-  const Place place{file.string(), {}};
-  std::error_code unknown;
-  if (std::filesystem::is_directory(file, unknown)) place.fail("found a folder, expected a case file");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) place.fail(fmt::format("cannot be read ({}), expected a case file", std::strerror(errno)));
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 Constants read_constants(const Node& node) {
   Constants constants;
@@ -206,7 +194,7 @@ Case case_of(const Node& root, const std::filesystem::path& file) {
 }  // namespace
 
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  return parse_case(text_of(file), file, overrides);
+  return parse_case(text_of(file, "a case file"), file, overrides);
 }
 
 Case parse_case(const std::string& text, const std::filesystem::path& name, const std::vector<std::string>& overrides) {

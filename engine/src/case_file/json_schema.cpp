@@ -88,8 +88,9 @@ Json schema_of(const Schema& schema) {
                                [](const Formula&) {
                                  return Json{{"type", {"number", "string"}}};
                                },
-                               [](const NumberMap& map) {
-                                 return Json{{"type", "object"}, {"additionalProperties", schema_of(map.range)}};
+                               [](const Anything&) { return Json::object(); },
+                               [](const Map& map) {
+                                 return Json{{"type", "object"}, {"additionalProperties", schema_of(*map.entry)}};
                                },
                                [](const auto& other) { return schema_of(other); }},
                     schema.kind);

@@ -93,9 +93,10 @@ class Checker {
     expect(value.is_array() && value.size() >= list.at_least && value.size() <= list.at_most, schema, value);
     for (std::size_t i = 0; i < value.size(); ++i) check_at(std::to_string(i), *list.entry, value[i]);
   }
-  void check_kind(const NumberMap& map, const Schema& schema, Json& value) {
+  void check_kind(const Anything&, const Schema&, const Json&) const {}
+  void check_kind(const Map& map, const Schema& schema, Json& value) {
     expect(value.is_object(), schema, value);
-    for (auto& [name, number] : value.items()) check_at(name, {Number{map.range}}, number);
+    for (auto& [name, entry] : value.items()) check_at(name, *map.entry, entry);
   }
   void check_kind(const Either& either, const Schema& schema, Json& value) {
     const Schema& meant = alternative(either, value);

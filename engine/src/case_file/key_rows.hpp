@@ -29,6 +29,7 @@ inline Schema length() { return {Number{{0.0, 1e9, true}}}; }
 inline Schema list(Schema entry, std::size_t at_least, std::size_t at_most) {
   return {List{std::make_shared<const Schema>(std::move(entry)), at_least, at_most}};
 }
+inline Schema map_of(Schema entry) { return {Map{std::make_shared<const Schema>(std::move(entry))}}; }
 inline Schema several(std::size_t n, Schema entry) { return list(std::move(entry), n, n); }
 inline Schema position() { return several(2, coordinate()); }
 inline Schema one_or_pair(const Schema& entry) { return {Either{{entry, several(2, entry)}}}; }

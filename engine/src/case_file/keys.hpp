@@ -45,9 +45,11 @@ struct List {
   std::size_t at_least;
   std::size_t at_most;
 };
-/// Keys of free choice, each with a number.
-struct NumberMap {
-  Range range;
+/// Any JSON value: another table judges it.
+struct Anything {};
+/// Keys of free choice, each with a value of one kind.
+struct Map {
+  std::shared_ptr<const Schema> entry;
 };
 /// The keys of an object, no others; of those in @ref exactly_one there must be one and no more.
 struct Object {
@@ -72,7 +74,7 @@ struct Either {
 };
 
 struct Schema {
-  std::variant<Number, Integer, Boolean, Text, Name, Choice, Formula, List, NumberMap, Object, Tagged, Depending,
+  std::variant<Number, Integer, Boolean, Text, Name, Choice, Formula, Anything, List, Map, Object, Tagged, Depending,
                Either>
       kind;
 };
@@ -107,6 +109,7 @@ void check(const Schema& schema, Json& value, const std::string& file);
 [[nodiscard]] Json json_schema(const Schema& schema, const std::string& title);
 
 /// The table as a reference page in Markdown.
-[[nodiscard]] std::string reference_page(const Schema& schema);
+/// @param whole  heading of the outermost keys: "The case"
+[[nodiscard]] std::string reference_page(const Schema& schema, const std::string& whole);
 
 }  // namespace shoreline::keys

@@ -58,9 +58,10 @@ std::string table_of(const Section& section) {
 }
 
 /// A heading, the keys, and every object below them; each once.
+/// @param whole     heading of the outermost keys
 /// @param analysis  that has these keys: said where another has other keys under the same heading
-void print(const Section& section, const std::string& analysis, std::string& page) {
-  const std::string of = section.path.empty() ? "The case" : "`" + section.path + "`";
+void print(const Section& section, const std::string& whole, const std::string& analysis, std::string& page) {
+  const std::string of = section.path.empty() ? whole : "`" + section.path + "`";
   const std::string with = section.condition.empty() ? "" : " with " + section.condition;
   const std::string table = table_of(section);
   std::string heading = "\n## " + of + with;
@@ -71,17 +72,17 @@ void print(const Section& section, const std::string& analysis, std::string& pag
   for (const Key& key : section.object->keys) {
     std::vector<Section> below;
     collect(key.schema, section.path.empty() ? key.name : section.path + "." + key.name, below);
-    for (const Section& inner : below) print(inner, analysis, page);
+    for (const Section& inner : below) print(inner, whole, analysis, page);
   }
 }
 
 }  // namespace
 
-std::string reference_page(const Schema& schema) {
+std::string reference_page(const Schema& schema, const std::string& whole) {
   std::vector<Section> top;
   collect(schema, "", top);
   std::string page;
-  for (const Section& section : top) print(section, section.condition, page);
+  for (const Section& section : top) print(section, whole, section.condition, page);
   return page;
 }
 

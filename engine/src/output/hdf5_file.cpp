@@ -48,8 +48,8 @@ std::string reason() {
   return text.empty() ? "unknown reason" : text;
 }
 
-[[noreturn]] void fail(const std::filesystem::path& file, const std::string& what) {
-  throw OutputError(file.string() + ": cannot write" + (what.empty() ? "" : " " + what) + ": " + reason());
+[[noreturn]] void fail(const std::filesystem::path& file, const std::string& what, const char* act = "write") {
+  throw OutputError(file.string() + ": cannot " + act + (what.empty() ? "" : " " + what) + ": " + reason());
 }
 
 /// Owns one identifier of the library.
@@ -127,9 +127,10 @@ bool write_attribute(hid_t file, const std::string& path, const std::string& nam
 
 Hdf5File::Hdf5File(const std::filesystem::path& file, Mode mode) : file_(file) {
   const Quiet quiet;
-  id_ = mode == Mode::create ? H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)
-                             : H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
-  if (id_ < 0) fail(file_, "");
+  id_ = mode == Mode::create
+            ? H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)
+            : H5Fopen(file.c_str(), mode == Mode::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR, H5P_DEFAULT);
+  if (id_ < 0) fail(file_, "", mode == Mode::read ? "read" : "write");
 }
 
 Hdf5File::~Hdf5File() {
@@ -147,6 +148,31 @@ void Hdf5File::make_group(const std::string& path) {
   const Handle links = link_properties();
   const Handle group(H5Gcreate2(id_, path.c_str(), links.id(), H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   if (!group.valid()) fail(file_, path);
+}
+
+std::vector<std::string> Hdf5File::names(const std::string& group) const {
+  const Quiet quiet;
+  std::vector<std::string> found;
+  const auto add = [](hid_t, const char* name, const H5L_info_t*, void* to) -> herr_t {
+    static_cast<std::vector<std::string>*>(to)->emplace_back(name);
+    return 0;
+  };
+  if (H5Literate_by_name(id_, group.c_str(), H5_INDEX_NAME, H5_ITER_INC, nullptr, add, &found, H5P_DEFAULT) < 0)
+    fail(file_, group, "read");
+  return found;
+}
+
+Eigen::MatrixXd Hdf5File::rows(const std::string& path) const {
+  const Quiet quiet;
+  const Handle set(H5Dopen2(id_, path.c_str(), H5P_DEFAULT), H5Dclose);
+  const Handle space(H5Dget_space(set.id()), H5Sclose);
+  std::array<hsize_t, 2> shape{};
+  if (H5Sget_simple_extent_ndims(space.id()) != 2 || H5Sget_simple_extent_dims(space.id(), shape.data(), nullptr) < 0)
+    fail(file_, path, "read");
+  Eigen::MatrixXd columns(static_cast<Eigen::Index>(shape[1]), static_cast<Eigen::Index>(shape[0]));
+  if (H5Dread(set.id(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, columns.data()) < 0)
+    fail(file_, path, "read");
+  return columns;
 }
 
 void Hdf5File::write_rows(const std::string& path, const Eigen::MatrixXd& columns, const std::string& unit) {

@@ -5,16 +5,17 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace shoreline {
 
-/// An HDF5 file open for writing.
+/// An open HDF5 file.
 ///
 /// Paths are those inside the file; groups on the way are made. Every function throws OutputError with the file and
 /// the library's reason.
 class Hdf5File {
  public:
-  enum class Mode { create, append };
+  enum class Mode { create, append, read };
 
   Hdf5File(const std::filesystem::path& file, Mode mode);
   ~Hdf5File();
@@ -23,6 +24,12 @@ class Hdf5File {
 
   [[nodiscard]] bool contains(const std::string& path) const;
   void make_group(const std::string& path);
+
+  /// What a group holds, in the order of the alphabet.
+  [[nodiscard]] std::vector<std::string> names(const std::string& group) const;
+
+  /// An array of two dimensions; its rows become columns.
+  [[nodiscard]] Eigen::MatrixXd rows(const std::string& path) const;
 
   /// Columns of @p columns become the rows of the file, which has one row a point.
   void write_rows(const std::string& path, const Eigen::MatrixXd& columns, const std::string& unit);

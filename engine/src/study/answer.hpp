@@ -1,0 +1,28 @@
+#pragma once
+// The cheapest setting that meets a tolerance, what the next digits cost, and what the error there is made of.
+
+#include <functional>
+
+#include "run_record.hpp"
+#include "study_table.hpp"
+
+namespace shoreline {
+
+struct Answer {
+  std::optional<std::size_t> chosen;  ///< row
+  std::string text;                   ///< for people
+};
+
+/// Runs what a study's options ask for beside its rows: the result of a case with further settings.
+using RunMore = std::function<RunResult(const PlannedRun& plan, const std::vector<std::string>& more)>;
+
+/// Looks for the cheapest row whose error is within the tolerance and stays so on a shifted grid, and refines each part
+/// of its discretisation in turn: the part whose refinement leaves the least error dominates.
+///
+/// @param base_of  the case of a plan, as it ran
+/// @param run      makes the runs that this takes
+/// @throws CaseError if no row has the norm; names the nearest
+[[nodiscard]] Answer answer(const StudyTable& table, const Tolerance& tolerance,
+                            const std::function<Json(const PlannedRun&)>& base_of, const RunMore& run);
+
+}  // namespace shoreline

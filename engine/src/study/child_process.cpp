@@ -1,0 +1,104 @@
+#include "child_process.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+#include <thread>
+
+#include "shoreline/engine/failures.hpp"
+
+namespace shoreline {
+namespace {
+
+constexpr int not_started = 127;  // exit status of a child that could not become the program
+
+/// In the child: becomes the program. Only calls that are safe after a fork.
+[[noreturn]] void become(char* const* arguments, int complaint, const Limits& limits, pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(not_started);  // that died before the line above
+  if (limits.memory) {
+    const auto bytes = static_cast<rlim_t>(*limits.memory);
+    const rlimit limit{bytes, bytes};
+    setrlimit(RLIMIT_AS, &limit);
+  }
+  const int nothing = open("/dev/null", O_RDWR);
+  dup2(nothing, STDIN_FILENO);
+  dup2(nothing, STDOUT_FILENO);
+  dup2(complaint, STDERR_FILENO);
+  execv(arguments[0], arguments);
+  _exit(not_started);
+}
+
+/// @return  whether the child ended by itself; its status
+bool wait_for(pid_t child, const std::optional<double>& seconds, int& status) {
+  using Clock = std::chrono::steady_clock;
+  constexpr auto pause = std::chrono::milliseconds(2);  // costs a thousandth of a core
+  const auto start = Clock::now();
+  while (waitpid(child, &status, seconds ? WNOHANG : 0) == 0) {
+    if (std::chrono::duration<double>(Clock::now() - start).count() > *seconds) {
+      kill(child, SIGKILL);
+      waitpid(child, &status, 0);
+      return false;
+    }
+    std::this_thread::sleep_for(pause);
+  }
+  return true;
+}
+
+std::string first_line(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  std::string line;
+  std::getline(stream, line);
+  const std::string program = "shoreline: ";
+  return line.starts_with(program) ? line.substr(program.size()) : line;
+}
+
+std::string reason_of(int status, const std::filesystem::path& complaint) {
+  if (WIFSIGNALED(status)) {
+    const char* guess = WTERMSIG(status) == SIGKILL ? "; the system may have run out of memory" : "";
+    return fmt::format("ended by signal {} ({}){}", WTERMSIG(status), strsignal(WTERMSIG(status)), guess);
+  }
+  const std::string line = first_line(complaint);
+  return line.empty() ? fmt::format("ended with status {} and without a message", WEXITSTATUS(status)) : line;
+}
+
+}  // namespace
+
+ChildOutcome run_child(const std::vector<std::string>& words, const std::filesystem::path& complaint,
+                       const Limits& limits) {
+  std::vector<char*> arguments;
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
+  const int file = open(complaint.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (file < 0) throw OutputError(complaint.string() + ": cannot write: " + std::generic_category().message(errno));
+  const auto start = std::chrono::steady_clock::now();
+  const pid_t parent = getpid();
+  const pid_t child = fork();
+  if (child == 0) become(arguments.data(), file, limits, parent);
+  const int problem = errno;
+  close(file);
+  if (child < 0) throw OutputError("cannot start a process: " + std::generic_category().message(problem));
+
+  ChildOutcome outcome;
+  int status = 0;
+  const bool in_time = wait_for(child, limits.seconds, status);
+  outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  outcome.succeeded = in_time && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  if (!in_time)
+    outcome.reason = fmt::format("took longer than budget.seconds, {:g} s", *limits.seconds);
+  else if (!outcome.succeeded)
+    outcome.reason = reason_of(status, complaint);
+  return outcome;
+}
+
+}  // namespace shoreline
