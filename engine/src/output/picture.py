@@ -1,20 +1,12 @@
 """Draws results.h5: deformed.png, the body at its last saved step, coloured by a stress and by displacement; or field.png,
 a projected field and its error. Of a dynamic run history.png, too, as picture_history.py says."""
 
-import os
-import sys
-
 try:
     import h5py
-    import matplotlib
-
-    matplotlib.use("Agg")
-    import matplotlib.pyplot as plt
-    import numpy as np
-    from matplotlib.collections import LineCollection
-    from matplotlib.path import Path
 except ImportError:
     sys.exit(77)
+from matplotlib.collections import LineCollection
+from matplotlib.path import Path
 
 MOST_DRAWN_POINTS = 200_000  # more of them are drawn as their means in square bins
 BINS = 350  # along the body's longer side
@@ -194,14 +186,8 @@ def two_panels(width, height, title):
     side_by_side = width < 2.2 * height
     figure, panels = plt.subplots(*((1, 2) if side_by_side else (2, 1)), figsize=(12, 5.4) if side_by_side else (9, 7),
                                   dpi=130, layout="constrained")
-    figure.suptitle(title.replace("$", r"\$"))
+    figure.suptitle(plain(title))
     return figure, panels
-
-
-def save(figure, folder, name):
-    part = os.path.join(folder, name + ".part")
-    figure.savefig(part, format="png")
-    os.replace(part, os.path.join(folder, name))
 
 
 def draw_body(folder, title, body):

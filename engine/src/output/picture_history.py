@@ -39,7 +39,7 @@ def draw_curves(axes, curves, quantity, unit, seconds):
     readable, scale = readable_unit(np.concatenate([curve.values for curve in curves]), unit)
     for k, curve in enumerate(curves):
         axes.plot(curve.t / seconds, curve.values / scale, color=curve.colour or f"C{k % 10}", linewidth=1.3,
-                  label=curve.name.replace("$", r"\$"))
+                  label=plain(curve.name))
     for k, curve in enumerate(curve for curve in curves if curve.exact is not None):
         axes.plot(curve.t / seconds, curve.exact / scale, color="black", linewidth=0.9, linestyle="dashed",
                   label=None if k else "exact")
@@ -63,7 +63,7 @@ def draw_history(folder, title, file):
     readable, seconds = readable_unit(t, "s")
     figure, rows = plt.subplots(len(panels), 1, sharex=True, squeeze=False, figsize=(11, 0.9 + 2.3 * len(panels)),
                                 dpi=130, layout="constrained")
-    figure.suptitle(title.replace("$", r"\$"))
+    figure.suptitle(plain(title))
     for axes, (quantity, unit, curves) in zip(rows[:, 0], panels):
         draw_curves(axes, curves, quantity, unit, seconds)
     rows[-1, 0].set(xlabel=f"t [{readable}]", xlim=(0.0, t.max() / seconds or 1.0))
