@@ -72,8 +72,8 @@ shoreline::Tolerance tolerance_in(const std::string& text) {
   const std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
   const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
   if (equals == 0 || error != std::errc() || end != number.data() + number.size() || !(value > 0.0))
-    throw CLI::ValidationError("--tolerance", "found \"" + text +
-                                                  "\", expected NORM=VALUE like stress.l2_relative=1e-2, a value > 0");
+    throw CLI::ValidationError("--tolerance",
+                               "found \"" + text + "\", expected NORM=VALUE like stress.l2_relative=1e-2, a value > 0");
   return {text.substr(0, equals), value};
 }
 

@@ -146,8 +146,7 @@ Key boundaries(const Presence& presence, std::string meaning, bool dynamic = fal
   return key("boundaries", list(boundary(dynamic), 1, 100000), presence, "", std::move(meaning));
 }
 Key constants() {
-  return key("constants", map_of(any_number()), otherwise(Json::object()), "",
-             "numbers by name, for expressions");
+  return key("constants", map_of(any_number()), otherwise(Json::object()), "", "numbers by name, for expressions");
 }
 Key settings(std::string name, Schema schema, std::string meaning) {
   return key(std::move(name), std::move(schema), otherwise(Json::object()), "", std::move(meaning));

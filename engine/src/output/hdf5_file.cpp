@@ -127,9 +127,8 @@ bool write_attribute(hid_t file, const std::string& path, const std::string& nam
 
 Hdf5File::Hdf5File(const std::filesystem::path& file, Mode mode) : file_(file) {
   const Quiet quiet;
-  id_ = mode == Mode::create
-            ? H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)
-            : H5Fopen(file.c_str(), mode == Mode::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR, H5P_DEFAULT);
+  id_ = mode == Mode::create ? H5Fcreate(file.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)
+                             : H5Fopen(file.c_str(), mode == Mode::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR, H5P_DEFAULT);
   if (id_ < 0) fail(file_, "", mode == Mode::read ? "read" : "write");
 }
 

@@ -93,12 +93,11 @@ Verified verified(const StudyRow& row, const std::string& norm, const Json& json
   return {error, error ? "" : "that run has no such error"};
 }
 
-/// What remains of the error with each part refined, and which part dominates.
-std::string attribution(const StudyRow& row, const std::string& norm, const Json& json, const RunMore& run) {
+/// What remains of the error with each part refined.
+void attribute(const StudyRow& row, const std::string& norm, const Json& json, const RunMore& run, Answer& found) {
   constexpr double telling = 0.9;  // of the error: what a refinement must leave at most to count
   const double error = *error_in(row.norms, norm);
-  std::string text = fmt::format("{:<20}{:>12}{:>10}\n", "part refined", "error left", "share");
-  std::string dominant;
+  std::string text = fmt::format("  {:<18}{:>12}{:>10}\n", "part refined", "error left", "share");
   double least = telling * error;
   for (const Refinement& refinement : refinements_of(json)) {
     const RunResult result = run(row.plan, refinement.settings);
@@ -108,51 +107,62 @@ std::string attribution(const StudyRow& row, const std::string& norm, const Json
       continue;
     }
     text += fmt::format("  {:<18}{:>12.2e}{:>8.0f} %\n", refinement.part, *left, 100.0 * *left / error);
-    if (*left < least) {
-      least = *left;
-      dominant = refinement.part;
-    }
+    found.error_left[refinement.part] = *left;
+    if (*left >= least) continue;
+    least = *left;
+    found.dominant = refinement.part;
   }
-  return (dominant.empty() ? "no part dominates the error there: none of these alone takes a tenth of it away\n"
-                           : fmt::format("the error there is mostly that of the {}\n", dominant)) +
-         "  " + text;
+  found.text += found.dominant.empty()
+                    ? "no part dominates the error there: none of these alone takes a tenth of it away\n"
+                    : fmt::format("the error there is mostly that of the {}\n", found.dominant);
+  found.text += text;
+}
+
+std::string chosen_text(const StudyTable& table, const Tolerance& tolerance, const StudyRow& row, double shifted) {
+  return fmt::format(
+      "the cheapest setting with {} <= {:g}: {}\n  {:.2e}, on a grid shifted by (0.37, 0.21) cells {:.2e}; {:.3g} s, "
+      "{} "
+      "points, {} unknowns\n",
+      tolerance.norm, tolerance.value, setting_of(table, row), *error_in(row.norms, tolerance.norm), shifted,
+      seconds_of(row), row.result.summary["material_points"].dump(), row.result.summary["degrees_of_freedom"].dump());
+}
+
+void check_norm(const StudyTable& table, const std::string& norm) {
+  const std::vector<std::string> norms = norms_in(table.rows);
+  if (std::ranges::count(norms, norm)) return;
+  throw CaseError("--tolerance " + norm, "",
+                  norms.empty() ? "found no run with errors, expected an exact solution or a reference"
+                                : "found no such norm, " + expected_one_of(norms, norm));
 }
 
 }  // namespace
 
 Answer answer(const StudyTable& table, const Tolerance& tolerance,
               const std::function<Json(const PlannedRun&)>& base_of, const RunMore& run) {
-  const std::vector<std::string> norms = norms_in(table.rows);
-  if (!std::ranges::count(norms, tolerance.norm))
-    throw CaseError("--tolerance " + tolerance.norm, "",
-                    norms.empty() ? "found no run with errors, expected an exact solution or a reference"
-                                  : "found no such norm, " + expected_one_of(norms, tolerance.norm));
+  check_norm(table, tolerance.norm);
   const std::vector<std::size_t> rows = within(table, tolerance.norm, tolerance.value);
-  const std::string wanted = fmt::format("{} <= {:g}", tolerance.norm, tolerance.value);
+  Answer found;
   std::string unmet;
   for (const std::size_t r : rows) {
     const StudyRow& row = table.rows[r];
     const Json json = base_of(row.plan);
     const Verified shifted = verified(row, tolerance.norm, json, run);
-    if (!shifted.error || *shifted.error > tolerance.value) {
-      unmet += fmt::format("  not {}: on a shifted grid {}\n", setting_of(table, row),
-                           shifted.error ? fmt::format("{:.2e}", *shifted.error) : shifted.reason);
-      continue;
+    if (shifted.error && *shifted.error <= tolerance.value) {
+      found.chosen = r;
+      found.text =
+          chosen_text(table, tolerance, row, *shifted.error) + unmet + next_digits(table, tolerance, seconds_of(row));
+      attribute(row, tolerance.norm, json, run, found);
+      return found;
     }
-    return {r, fmt::format("the cheapest setting with {}: {}\n  {:.2e}, on a grid shifted by (0.37, 0.21) cells {:.2e}; "
-                           "{:.3g} s, {} points, {} unknowns\n{}{}{}",
-                           wanted, setting_of(table, row), *error_in(row.norms, tolerance.norm), *shifted.error,
-                           seconds_of(row), row.result.summary["material_points"].dump(),
-                           row.result.summary["degrees_of_freedom"].dump(), unmet,
-                           next_digits(table, tolerance, seconds_of(row)),
-                           attribution(row, tolerance.norm, json, run))};
+    unmet += fmt::format("  not {}: on a shifted grid {}\n", setting_of(table, row),
+                         shifted.error ? fmt::format("{:.2e}", *shifted.error) : shifted.reason);
   }
-  std::string text = fmt::format("no setting of this study has {}{}\n{}", wanted,
-                                 rows.empty() ? "" : " on a shifted grid, too", unmet);
+  found.text = fmt::format("no setting of this study has {} <= {:g}{}\n{}", tolerance.norm, tolerance.value,
+                           rows.empty() ? "" : " on a shifted grid, too", unmet);
   if (const auto guess = extrapolated(table, tolerance.norm, tolerance.value); guess && rows.empty())
-    text += fmt::format("  by its last rate and times about {:.2g} s: {}, {} {:.2g}\n", guess->seconds, guess->line,
-                        table.axes[*table.refine], guess->refinement);
-  return {std::nullopt, text};
+    found.text += fmt::format("  by its last rate and times about {:.2g} s: {}, {} {:.2g}\n", guess->seconds,
+                              guess->line, table.axes[*table.refine], guess->refinement);
+  return found;
 }
 
 }  // namespace shoreline

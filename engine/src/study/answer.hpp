@@ -9,8 +9,10 @@
 namespace shoreline {
 
 struct Answer {
-  std::optional<std::size_t> chosen;  ///< row
-  std::string text;                   ///< for people
+  std::optional<std::size_t> chosen;         ///< row
+  std::map<std::string, double> error_left;  ///< with each part of its discretisation refined
+  std::string dominant;                      ///< the part that leaves the least, "" where none takes a tenth away
+  std::string text;                          ///< for people
 };
 
 /// Runs what a study's options ask for beside its rows: the result of a case with further settings.

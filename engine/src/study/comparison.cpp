@@ -59,15 +59,18 @@ Comparison richardson_limit(const std::vector<StudyRow>& rows) {
   const std::string name = rows[*finest].plan.line;
   if (line.size() < 3)
     return {fmt::format("the line {} has {} completed runs, and a Richardson limit takes three", name, line.size()),
-            Json(), {}};
+            Json(),
+            {}};
   const auto run = [&](std::size_t from_last) -> const StudyRow& { return rows[line[line.size() - from_last]]; };
   const double first = *run(3).plan.refinement / *run(2).plan.refinement;
   const double second = *run(2).plan.refinement / *run(1).plan.refinement;
   if (std::abs(first / second - 1.0) > 0.01)
-    return {fmt::format("the last three runs of {} are not refined by one ratio ({:.3g}, {:.3g}), as a Richardson limit "
-                        "needs",
-                        name, first, second),
-            Json(), {}};
+    return {
+        fmt::format("the last three runs of {} are not refined by one ratio ({:.3g}, {:.3g}), as a Richardson limit "
+                    "needs",
+                    name, first, second),
+        Json(),
+        {}};
   Json limits = Json::object();
   for (const auto& [quantity, last] : run(1).result.quantities.items()) {
     const Json& before = run(2).result.quantities;

@@ -7,8 +7,8 @@ namespace shoreline {
 
 /// What runs are compared with.
 struct Comparison {
-  std::string with;        ///< in words, or why there is nothing to compare with
-  Json quantities;         ///< vectors of numbers by name, as quantities_of gives them; null where there are none
+  std::string with;  ///< in words, or why there is nothing to compare with
+  Json quantities;   ///< vectors of numbers by name, as quantities_of gives them; null where there are none
   std::optional<std::size_t> row{};  ///< that is the reference itself
 };
 

@@ -10,8 +10,8 @@
 namespace shoreline {
 
 struct OutsideRow {
-  std::string line;                    ///< what to call the method in pictures
-  std::optional<double> refinement;    ///< on the axis that a study refines
+  std::string line;                  ///< what to call the method in pictures
+  std::optional<double> refinement;  ///< on the axis that a study refines
   double points = 0.0;
   double unknowns = 0.0;
   double seconds = 0.0;

@@ -18,9 +18,10 @@ Json quantities_of(const Json& summary, const std::filesystem::path& folder) {
   Json found = Json::object();
   if (summary.contains("strain_energy")) found["energy"] = {summary["strain_energy"]};
   if (summary.contains("energy")) found["energy"] = {summary["energy"]["end"]["total"]};
-  for (const auto& [piece, reaction] : summary.value("reactions", Json::object()).items())
-    found["reaction." + piece] = {reaction[0], reaction[1]};
-  for (const auto& [name, probe] : summary.value("probes", Json::object()).items()) {
+  const Json reactions = summary.value("reactions", Json::object());
+  for (const auto& [piece, reaction] : reactions.items()) found["reaction." + piece] = {reaction[0], reaction[1]};
+  const Json probes = summary.value("probes", Json::object());
+  for (const auto& [name, probe] : probes.items()) {
     found["probe." + name + ".displacement"] = probe["displacement"];
     if (probe.contains("stress")) found["probe." + name + ".stress"] = probe["stress"];
   }

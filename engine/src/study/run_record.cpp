@@ -62,9 +62,14 @@ void add_times(const Json& summary, RunResult& result) {
 }
 
 Json record_of(const Json& identity, const RunResult& result) {
-  return {{"identity", identity},     {"completed", result.completed},   {"reason", result.reason},
-          {"summary", result.summary}, {"quantities", result.quantities}, {"seconds", result.seconds},
-          {"phases", result.phases},   {"wall", result.wall}};
+  return {{"identity", identity},
+          {"completed", result.completed},
+          {"reason", result.reason},
+          {"summary", result.summary},
+          {"quantities", result.quantities},
+          {"seconds", result.seconds},
+          {"phases", result.phases},
+          {"wall", result.wall}};
 }
 
 RunResult result_of_record(const Json& record, const std::filesystem::path& folder) {
@@ -94,21 +99,21 @@ Runner::Runner(const Study& study, std::filesystem::path program, std::filesyste
 
 Runner::~Runner() { close(lock_); }
 
-Json Runner::identity_of(const PreparedCase& prepared) const {
-  Json identity = {{"case", prepared.json}, {"fault", prepared.fault}, {"repeat", study_.repeat},
-                   {"version", version()}};
+Json Runner::identity_of(const PreparedCase& prepared, int repeat) const {
+  Json identity = {{"case", prepared.json}, {"fault", prepared.fault}, {"repeat", repeat}, {"version", version()}};
   if (study_.seconds) identity["seconds"] = *study_.seconds;
   if (study_.memory) identity["memory"] = *study_.memory;
   if (const Json::json_pointer mesh("/grid/mesh"); prepared.json.contains(mesh) && prepared.json[mesh].is_string())
-    if (const std::filesystem::path file(prepared.json[mesh].get<std::string>()); std::filesystem::is_regular_file(file))
+    if (const std::filesystem::path file(prepared.json[mesh].get<std::string>());
+        std::filesystem::is_regular_file(file))
       identity["mesh"] = hash_of(text_of(file, "a mesh"));
   return identity;
 }
 
 std::filesystem::path Runner::folder_of(const Json& identity) const { return folder_ / hash_of(identity.dump()); }
 
-std::optional<RunResult> Runner::recorded(const PreparedCase& prepared) const {
-  const Json identity = identity_of(prepared);
+std::optional<RunResult> Runner::recorded(const PreparedCase& prepared, int repeat) const {
+  const Json identity = identity_of(prepared, repeat);
   const std::filesystem::path folder = folder_of(identity);
   const Json record = parsed_file(folder / "record.json");
   if (!record.is_object() || record.value("identity", Json()) != identity) return std::nullopt;
@@ -125,28 +130,32 @@ void Runner::warm_up(const std::filesystem::path& folder) {
   if (!std::exchange(warm_, true)) static_cast<void>(run_once(folder));
 }
 
-RunResult Runner::result_of(const PreparedCase& prepared) {
-  if (auto known = recorded(prepared)) return std::move(*known);
-  const Json identity = identity_of(prepared);
-  RunResult result{.folder = folder_of(identity)};
+/// Runs the case once, and adds what that took.
+void Runner::add_run(bool first, RunResult& result) const {
+  const ChildOutcome outcome = run_once(result.folder);
+  result.wall += outcome.seconds;
+  result.completed = outcome.succeeded;
+  result.reason = outcome.reason;
+  if (!outcome.succeeded) return;
+  const Json summary = parsed_file(result.folder / "summary.json");
+  add_times(summary, result);
+  if (!first) return;
+  result.summary = summary;
+  result.quantities = quantities_of(summary, result.folder);
+}
+
+RunResult Runner::result_of(const PreparedCase& prepared, int repeat) {
+  if (auto known = recorded(prepared, repeat)) return std::move(*known);
+  const Json identity = identity_of(prepared, repeat);
+  RunResult result;
+  result.folder = folder_of(identity);
   make_folder(result.folder);
   if (!prepared.fault.empty()) {
     result.reason = prepared.fault;
   } else {
     write_atomically(result.folder / "case.json", prepared.json.dump(2) + "\n");
     warm_up(result.folder);
-    for (int repeat = 0; repeat < study_.repeat; ++repeat) {
-      const ChildOutcome outcome = run_once(result.folder);
-      result.wall += outcome.seconds;
-      result.completed = outcome.succeeded;
-      result.reason = outcome.reason;
-      if (!outcome.succeeded) break;
-      const Json summary = parsed_file(result.folder / "summary.json");
-      add_times(summary, result);
-      if (repeat > 0) continue;
-      result.summary = summary;
-      result.quantities = quantities_of(summary, result.folder);
-    }
+    for (int k = 0; k < repeat && (k == 0 || result.completed); ++k) add_run(k == 0, result);
     const std::string where = (result.folder / "case.json").string() + ": ";
     if (result.reason.starts_with(where)) result.reason = result.reason.substr(where.size());
   }

@@ -9,13 +9,13 @@ namespace shoreline {
 /// What a run left behind; all that tables and pictures use.
 struct RunResult {
   bool completed = false;
-  std::string reason;    ///< why not
-  Json summary;          ///< of the first repeat; null where there is none
-  Json quantities;       ///< vectors of numbers by name, as compared with a reference
-  std::vector<double> seconds;                         ///< of each repeat, without what only tells of the run
-  std::map<std::string, std::vector<double>> phases;   ///< [s] of each repeat
-  double wall = 0.0;                                   ///< of all repeats, with everything [s]
-  std::filesystem::path folder;                        ///< case.json and record.json
+  std::string reason;                                 ///< why not
+  Json summary;                                       ///< of the first repeat; null where there is none
+  Json quantities;                                    ///< vectors of numbers by name, as compared with a reference
+  std::vector<double> seconds;                        ///< of each repeat, without what only tells of the run
+  std::map<std::string, std::vector<double>> phases;  ///< [s] of each repeat
+  double wall = 0.0;                                  ///< of all repeats, with everything [s]
+  std::filesystem::path folder;                       ///< case.json and record.json
 };
 
 /// Runs cases for a study and remembers them.
@@ -29,15 +29,16 @@ class Runner {
   Runner& operator=(const Runner&) = delete;
 
   /// The result on record, if the case has been run as it is now.
-  [[nodiscard]] std::optional<RunResult> recorded(const PreparedCase& prepared) const;
+  [[nodiscard]] std::optional<RunResult> recorded(const PreparedCase& prepared, int repeat) const;
 
-  /// The result on record, or else that of a run, which is then on record.
-  [[nodiscard]] RunResult result_of(const PreparedCase& prepared);
+  /// The result on record, or else that of so many runs, which is then on record.
+  [[nodiscard]] RunResult result_of(const PreparedCase& prepared, int repeat);
 
  private:
-  [[nodiscard]] Json identity_of(const PreparedCase& prepared) const;
+  [[nodiscard]] Json identity_of(const PreparedCase& prepared, int repeat) const;
   [[nodiscard]] std::filesystem::path folder_of(const Json& identity) const;
   void warm_up(const std::filesystem::path& folder);
+  void add_run(bool first, RunResult& result) const;
   [[nodiscard]] ChildOutcome run_once(const std::filesystem::path& folder) const;
 
   const Study& study_;

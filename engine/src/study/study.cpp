@@ -35,8 +35,8 @@ std::vector<StudyRow> run_all(Work& work) {
   std::vector<StudyRow> rows;
   for (const PlannedRun& plan : plans) {
     const PreparedCase prepared = work.prepared(plan.settings);
-    const bool known = work.runner.recorded(prepared).has_value();
-    RunResult result = work.runner.result_of(prepared);
+    const bool known = work.runner.recorded(prepared, work.study.repeat).has_value();
+    RunResult result = work.runner.result_of(prepared, work.study.repeat);
     progress.finished(rows.size(), result, known);
     rows.push_back({plan, std::move(result), {}, {}});
     if (rows.back().result.completed) rows.back().norms = norms_of(rows.back().result.summary);
@@ -49,7 +49,7 @@ Comparison comparison_of(Work& work, const Study::Reference& reference, const st
   if (std::holds_alternative<Study::Richardson>(reference)) return richardson_limit(rows);
   std::vector<std::string> settings = work.study.settings;
   for (const std::string& setting : std::get<Study::OwnRun>(reference).settings) settings.push_back(setting);
-  const RunResult result = work.runner.result_of(work.prepared(settings));
+  const RunResult result = work.runner.result_of(work.prepared(settings), 1);
   if (!result.completed) return {"the reference failed: " + result.reason, Json(), {}};
   return {"differences from a reference run of their own", result.quantities, {}};
 }
@@ -81,8 +81,11 @@ std::string device_of(const std::vector<StudyRow>& rows) {
 void write_files(const StudyTable& table, const std::optional<Answer>& found, const StudyOptions& options) {
   Json json = json_of(table);
   if (found && found->chosen)
-    json["tolerance"] = {
-        {"norm", options.tolerance->norm}, {"value", options.tolerance->value}, {"chosen", *found->chosen}};
+    json["tolerance"] = {{"norm", options.tolerance->norm},
+                         {"value", options.tolerance->value},
+                         {"chosen", *found->chosen},
+                         {"error_left", found->error_left},
+                         {"dominant", found->dominant}};
   write_atomically(options.output / "study.json", json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
   write_atomically(options.output / "study.csv", csv_of(table));
   write_atomically(options.output / "study.md", markdown_of(table));
@@ -102,15 +105,20 @@ Answer answer_of(Work& work, const StudyTable& table) {
       [&](const PlannedRun& plan, const std::vector<std::string>& more) {
         std::vector<std::string> settings = plan.settings;
         settings.insert(settings.end(), more.begin(), more.end());
-        return work.runner.result_of(work.prepared(settings));
+        return work.runner.result_of(work.prepared(settings), 1);
       });
 }
 
 }  // namespace
 
 StudyOutcome run_study(const Study& study, const StudyOptions& options) {
-  StudyTable table{.title = study.title, .device = "", .axes = {}, .refine = study.refine, .errors = study.errors,
-                   .rows = {}, .outside = {}};
+  StudyTable table{.title = study.title,
+                   .device = "",
+                   .axes = {},
+                   .refine = study.refine,
+                   .errors = study.errors,
+                   .rows = {},
+                   .outside = {}};
   for (const Study::Axis& axis : study.axes) table.axes.push_back(axis.name);
   for (const std::filesystem::path& file : study.outside)
     for (OutsideRow& row : read_outside_rows(file)) table.outside.push_back(std::move(row));
@@ -130,14 +138,15 @@ StudyOutcome run_study(const Study& study, const StudyOptions& options) {
   std::optional<Answer> found;
   if (options.tolerance) found = answer_of(work, table);
   write_files(table, found, options);
-  StudyOutcome outcome{.runs = static_cast<int>(table.rows.size())};
+  StudyOutcome outcome;
+  outcome.runs = static_cast<int>(table.rows.size());
   outcome.failures =
       static_cast<int>(std::ranges::count_if(table.rows, [](const StudyRow& row) { return !row.result.completed; }));
   const auto no_picture = make_study_pictures(options.output);
-  outcome.report = fmt::format("{}: {} runs, {} failed\n\n{}\n{}{}{}results: {}\n", study.title, outcome.runs,
-                               outcome.failures, markdown_of(table), failures_of(table),
-                               found ? found->text + "\n" : "", no_picture ? "warning: " + *no_picture + "\n" : "",
-                               options.output.string());
+  outcome.report =
+      fmt::format("{}: {} runs, {} failed\n\n{}\n{}{}{}results: {}\n", study.title, outcome.runs, outcome.failures,
+                  markdown_of(table), failures_of(table), found ? found->text + "\n" : "",
+                  no_picture ? "warning: " + *no_picture + "\n" : "", options.output.string());
   return outcome;
 }
 

@@ -63,10 +63,12 @@ const Schema& study_keys() {
            "key `samples` of quasi-static runs with an exact solution, unless the case says otherwise: errors of every "
            "run at the same places; 0: at each run's own material points"),
        key("errors", list({Text{}}, 1, 6), optional, "",
-           "norms that tables and pictures show; default: the relative L2 errors of displacement and stress, without an "
+           "norms that tables and pictures show; default: the relative L2 errors of displacement and stress, without "
+           "an "
            "exact solution what is compared with the reference"),
        key("reference", reference(), optional, "",
-           "what probes, boundary curves, reactions and energy are compared with: the `finest` run (most unknowns), the "
+           "what probes, boundary curves, reactions and energy are compared with: the `finest` run (most unknowns), "
+           "the "
            "`richardson` limit of its line, or a run of its own; default without an exact solution: `finest`"),
        key("outside", list({Text{}}, 1, 100), optional, "",
            "rows of other programs, CSV files as docs/results.md describes them, relative to the study file")},

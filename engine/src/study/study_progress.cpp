@@ -32,8 +32,8 @@ double StudyProgress::seconds_left(std::size_t done) const {
 void StudyProgress::finished(std::size_t number, const RunResult& result, bool known) {
   wall_.push_back(result.wall);
   if (quiet_) return;
-  const std::string what = result.completed ? fmt::format("{:.3g} s", spread_of(result.seconds).median)
-                                            : "failed: " + result.reason;
+  const std::string what =
+      result.completed ? fmt::format("{:.3g} s", spread_of(result.seconds).median) : "failed: " + result.reason;
   const double left = seconds_left(number + 1);
   std::fputs(fmt::format("{}/{}  {}: {}{}{}\n", number + 1, plans_.size(), fmt::join(plans_[number].labels, ", "), what,
                          known ? " (on record)" : "",

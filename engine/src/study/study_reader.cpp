@@ -26,9 +26,8 @@ std::vector<std::string> assignments(const Node& node) {
 }
 
 Study::Choice labelled(const Json& value) {
-  Study::Choice choice{.label = value.is_string() ? value.get<std::string>() : value.dump(),
-                       .number = std::nullopt,
-                       .settings = {}};
+  Study::Choice choice{
+      .label = value.is_string() ? value.get<std::string>() : value.dump(), .number = std::nullopt, .settings = {}};
   if (value.is_number()) choice.number = value.get<double>();
   return choice;
 }
@@ -78,8 +77,8 @@ Study::Axis read_axis(const Node& node) {
   std::vector<std::string> labels;
   for (const Study::Choice& choice : axis.choices) {
     if (std::ranges::count(labels, choice.label))
-      node.place.fail(fmt::format("found \"{}\" twice in the axis \"{}\", expected different entries", choice.label,
-                                  axis.name));
+      node.place.fail(
+          fmt::format("found \"{}\" twice in the axis \"{}\", expected different entries", choice.label, axis.name));
     labels.push_back(choice.label);
   }
   return axis;
@@ -92,8 +91,7 @@ std::vector<Study::Axis> read_axes(const Node& sweep) {
     axes.push_back(read_axis(sweep.entry(i)));
     runs *= static_cast<double>(axes.back().choices.size());
     if (std::ranges::count(axes, axes.back().name, &Study::Axis::name) > 1)
-      sweep.entry(i).place.fail(
-          fmt::format("found a second axis \"{}\", expected another \"name\"", axes.back().name));
+      sweep.entry(i).place.fail(fmt::format("found a second axis \"{}\", expected another \"name\"", axes.back().name));
   }
   if (runs > most_runs) sweep.place.fail(fmt::format("found {:.3g} runs, expected at most {:.0f}", runs, most_runs));
   return axes;
@@ -124,8 +122,7 @@ std::optional<std::size_t> refined_axis(const Node& root, const std::vector<Stud
     root["refine"].place.fail(fmt::format("found \"{}\", {}", name, expected_one_of(names, name)));
   }
   if (!has_numbers(*axis))
-    root["refine"].place.fail(
-        fmt::format("found the axis \"{}\", expected one whose entries are numbers > 0", name));
+    root["refine"].place.fail(fmt::format("found the axis \"{}\", expected one whose entries are numbers > 0", name));
   return static_cast<std::size_t>(axis - axes.begin());
 }
 
@@ -166,8 +163,7 @@ Study read_study(const std::filesystem::path& file) {
   keys::check(keys::study_keys(), json, file.string());
   Study study = study_of({json, whole}, file);
   const Json base = parse_json(text_of(study.base, "a case file"), {study.base.string(), {}});
-  if (!base.is_object())
-    Place{study.base.string(), {}}.fail(fmt::format("found {}, expected a case", described(base)));
+  if (!base.is_object()) Place{study.base.string(), {}}.fail(fmt::format("found {}, expected a case", described(base)));
   return study;
 }
 

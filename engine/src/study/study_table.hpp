@@ -25,8 +25,8 @@ struct Spread {
 
 struct StudyTable {
   std::string title;
-  std::string device;               ///< where errors are measured
-  std::vector<std::string> axes;    ///< names
+  std::string device;             ///< where errors are measured
+  std::vector<std::string> axes;  ///< names
   std::optional<std::size_t> refine;
   std::vector<std::string> errors;  ///< norms to show
   std::vector<StudyRow> rows;

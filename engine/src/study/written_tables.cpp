@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 
 #include "machine.hpp"
@@ -42,10 +41,10 @@ std::vector<std::string> csv_cells(const StudyRow& row, const std::vector<std::s
   cells.push_back(result.completed ? "completed" : "failed");
   cells.push_back(result.reason);
   const Json summary = result.completed ? result.summary : Json::object();
-  for (const char* key : {"material_points", "degrees_of_freedom", "steps", "threads", "peak_memory_bytes",
-                          "condition_estimate"})
+  for (const char* key :
+       {"material_points", "degrees_of_freedom", "steps", "threads", "peak_memory_bytes", "condition_estimate"})
     cells.push_back(number(summary, key));
-  const auto times = [&](const std::vector<double>& seconds, double Spread::* which) {
+  const auto times = [&](const std::vector<double>& seconds, double Spread::*which) {
     cells.push_back(seconds.empty() || !result.completed ? "" : fmt::format("{:.6g}", spread_of(seconds).*which));
   };
   for (const auto which : {&Spread::median, &Spread::least, &Spread::greatest}) times(result.seconds, which);
@@ -58,7 +57,9 @@ std::vector<std::string> csv_cells(const StudyRow& row, const std::vector<std::s
   return cells;
 }
 
-std::string markdown_row(const std::vector<std::string>& cells) { return fmt::format("| {} |\n", fmt::join(cells, " | ")); }
+std::string markdown_row(const std::vector<std::string>& cells) {
+  return fmt::format("| {} |\n", fmt::join(cells, " | "));
+}
 
 /// A number of seconds with its spread, in as many digits as it has.
 std::string spread_text(const std::vector<double>& seconds) {
@@ -70,8 +71,7 @@ std::string spread_text(const std::vector<double>& seconds) {
 std::vector<std::string> markdown_cells(const StudyRow& row, const StudyTable& table) {
   std::vector<std::string> cells = row.plan.labels;
   if (!row.result.completed) {
-    cells.push_back("failed: " + row.result.reason);
-    std::ranges::replace(cells.back(), '|', '/');
+    cells.push_back("failed");
     cells.resize(cells.size() + 3 + 2 * table.errors.size());
     return cells;
   }
@@ -96,9 +96,9 @@ std::string csv_of(const StudyTable& table) {
   const std::vector<std::string> phases = phases_in(table.rows);
   std::vector<std::string> columns{"line"};
   columns.insert(columns.end(), table.axes.begin(), table.axes.end());
-  columns.insert(columns.end(), {"refinement", "status", "reason", "points", "unknowns", "steps", "threads",
-                                 "peak_memory_bytes", "condition_estimate", "seconds", "seconds.least",
-                                 "seconds.greatest"});
+  columns.insert(columns.end(),
+                 {"refinement", "status", "reason", "points", "unknowns", "steps", "threads", "peak_memory_bytes",
+                  "condition_estimate", "seconds", "seconds.least", "seconds.greatest"});
   columns.insert(columns.end(), norms.begin(), norms.end());
   for (const std::string& norm : norms) columns.push_back("rate." + norm);
   for (const std::string& phase : phases) columns.push_back("phase." + phase);
@@ -114,8 +114,9 @@ std::string markdown_of(const StudyTable& table) {
   columns.insert(columns.end(), {"seconds", "memory [MB]"});
   std::string text = markdown_row(columns) + markdown_row(std::vector<std::string>(columns.size(), "---:"));
   for (const StudyRow& row : table.rows) text += markdown_row(markdown_cells(row, table));
-  return text + fmt::format("\nSeconds of the whole run without output and errors, median (least to greatest); {}; {}; {}.\n",
-                            table.device, program_name(), machine_name());
+  return text +
+         fmt::format("\nSeconds of the whole run without output and errors, median (least to greatest); {}; {}; {}.\n",
+                     table.device, program_name(), machine_name());
 }
 
 }  // namespace shoreline
