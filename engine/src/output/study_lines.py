@@ -20,9 +20,16 @@ def text_of(value):
     return f"{value:g}" if isinstance(value, float) else str(value)
 
 
-def axis_title(name):
-    unit = UNITS.get(str(name).split(".")[-1])
-    return f"{name} [{unit}]" if unit else str(name)
+def unit_of(axis):
+    return UNITS.get(axis.split(".")[-1], "")
+
+
+def axis_title(axis):
+    return f"{axis} [{unit_of(axis)}]" if unit_of(axis) else axis
+
+
+def with_unit(axis, value):
+    return f"{axis} {text_of(value)} {unit_of(axis)}".strip()
 
 
 def norm_title(name):
@@ -124,7 +131,8 @@ class Study:
             group.give_looks(self.lines, axes)
         self.others = [Line(name, rows) for name, rows in by_key(self.content["outside"], lambda row: row["line"]).items()]
         for k, line in enumerate(self.others):
-            line.look = {"color": "black", "linestyle": DASHES[1], "marker": OTHER_MARKERS[k % len(OTHER_MARKERS)]}
+            line.look = {"color": "black", "linestyle": DASHES[1], "markersize": 7,
+                         "markeredgecolor": "black", "marker": OTHER_MARKERS[k % len(OTHER_MARKERS)]}
 
     def caption(self):
         """What ran where, in one line; and what the errors were measured on."""

@@ -4,17 +4,22 @@ the finest runs spend their time on; memory.png, peak memory over the number of 
 import zlib
 
 MOST_BARS = 30
+MOST_IN_NAME = 46  # characters of a bar's name in one row
 SMALLEST_PHASE = 0.01  # of a run; phases that are smaller in every run are drawn as one
 PHASES = ["setup", "support", "weights", "boundary", "pattern", "assembly", "analyse", "factorise", "solve", "update",
           "errors", "cells", "mass", "ghost_mass", "forces", "damping", "accelerate", "move", "history", "critical_step",
           "gravity", "projection", "diagnostics", "condition_estimate", "report", "output", "pictures"]
-SECONDS, OTHER = ("seconds", "median"), "0.75"
+SECONDS = ("seconds", "median")
 OF_TIME = {0.5: "1/2", 1: "1", 1.5: "3/2", 2: "2", 3: "3", 4: "4"}  # exponents whose guides are drawn
 ORDERS = [1, 2, 3, 4]
+REPEATS = "medians, with whiskers from the least to the greatest time"
+MOST_FIGURES = 8  # lines whose observed order is written at their fine end
 
 
 def colour_of(phase):
     """The same in every picture of every study."""
+    if phase == "other":
+        return "0.75"
     place = PHASES.index(phase) if phase in PHASES else zlib.crc32(phase.encode())
     return matplotlib.colormaps["tab20" if place < 20 else "tab20b"](place % 20)
 
@@ -46,7 +51,7 @@ def add_tolerance(figure, study, shown, x):
         ring = {"color": "black", "marker": "o", "markersize": 12, "markerfacecolor": "none", "markeredgewidth": 1.4}
         axes.plot([number(row, *x)], [number(row, "errors", tolerance["norm"])], **ring, zorder=4)
         entries.append((ring | {"linestyle": "none"}, ", ".join(dict.fromkeys(
-            [row["line"], *(f"{name} {text_of(value)}" for name, value in row["labels"].items()
+            [row["line"], *(with_unit(name, value) for name, value in row["labels"].items()
                             if name == study.content["refine"])]))))
     figure.legend(f"tolerance of {norm_title(tolerance['norm'])}", entries)
 
@@ -60,13 +65,13 @@ def guides(figure, axes, runs, candidates, label):
         figure.after_layout.append(lambda: draw_slopes(axes, [sign * c for c in chosen], [label(c) for c in chosen]))
 
 
-def error_figure(study, x, wanted, spread=None):
+def error_figure(study, x, note, spread=None):
     """Panels of the norms that the study holds with an x, with their lines; none where there is no such run."""
     lines = study.lines + study.others
-    shown = [norm for norm in wanted if any(line.points(x, ("errors", norm)) for line in study.lines)]
+    shown = [norm for norm in study.norms if any(line.points(x, ("errors", norm)) for line in study.lines)]
     if not shown:
         return None, [], {}
-    figure = Figure(study, len(shown), 3.3 if len(shown) > 1 else 4.4, (study.content["device"],))
+    figure = Figure(study, len(shown), 3.3 if len(shown) > 1 else 4.4, (" · ".join(part for part in (study.content["device"], note) if part),))
     runs_of = {norm: [line.points(x, ("errors", norm)) for line in lines] for norm in shown}
     for k, (axes, norm) in enumerate(zip(figure.panels, shown)):
         runs = [run for of_line in runs_of[norm] for run in of_line]
@@ -81,9 +86,9 @@ def error_figure(study, x, wanted, spread=None):
         axes.set_title(plain(norm_title(norm)), fontsize=10.5)
         axes.set_ylabel("error" if k % 2 == 0 else "")
         axes.grid(color="0.92", linewidth=0.6)
-    add_tolerance(figure, study, shown, x)
     add_legends(figure, study, [line for k, line in enumerate(lines) if line in study.others
                                 and any(runs_of[norm][k] for norm in shown)])
+    add_tolerance(figure, study, shown, x)
     return figure, shown, runs_of
 
 
@@ -92,7 +97,8 @@ def draw_error_time(folder, study):
     def spread(row):
         return number(row, "seconds", "least"), number(row, "seconds", "greatest")
 
-    figure, shown, runs_of = error_figure(study, SECONDS, study.norms, spread)
+    repeated = any(least != greatest for least, greatest in map(spread, study.rows))
+    figure, shown, runs_of = error_figure(study, SECONDS, REPEATS if repeated else "", spread)
     if figure:
         for axes, norm in zip(figure.panels, shown):
             guides(figure, axes, runs_of[norm], OF_TIME, lambda q: f"$t^{{-{OF_TIME[q]}}}$")
@@ -100,13 +106,27 @@ def draw_error_time(folder, study):
         figure.save(folder, "error_time.png")
 
 
+def observed_orders(study, norm):
+    """The rate that the study found at the finest run of each line, as (colour, (x, error), order)."""
+    found = [(line.look["color"], (number(line.finest, "refinement"), number(line.finest, "errors", norm)),
+              (line.finest.get("rates") or {}).get(norm)) for line in study.lines]
+    return [(colour, xy, order) for colour, xy, order in found if None not in (*xy, order)]
+
+
 def draw_error_refinement(folder, study):
-    figure, shown, runs_of = error_figure(study, ("refinement",), study.norms)
-    if figure:
-        for axes, norm in zip(figure.panels, shown):
-            guides(figure, axes, runs_of[norm], ORDERS, lambda order: f"order {order}")
-            axes.set_xlabel(plain(axis_title(study.content["refine"])))
-        figure.save(folder, "error_refinement.png")
+    orders = {norm: observed_orders(study, norm) for norm in study.norms}
+    written = any(orders.values()) and len(study.lines) <= MOST_FIGURES
+    figure, shown, runs_of = error_figure(study, ("refinement",),
+                                          "figures: order observed at the finest run" if written else "")
+    if not figure:
+        return
+    for axes, norm in zip(figure.panels, shown):
+        guides(figure, axes, runs_of[norm], ORDERS, lambda order: f"order {order}")
+        axes.set_xlabel(plain(axis_title(study.content["refine"])))
+        if written and orders[norm]:
+            make_room(axes, orders[norm][0][1][0])
+            figure.after_layout.append(lambda axes=axes, found=orders[norm]: draw_orders(axes, found))
+    figure.save(folder, "error_refinement.png")
 
 
 def draw_memory(folder, study):
@@ -128,45 +148,58 @@ def draw_memory(folder, study):
 
 
 def phases_of(rows):
-    """Seconds by phase of each run, where phases that are small in all runs are one, and the phases in a fixed order."""
+    """Phases in a fixed order, those that are small in every run as one; and their seconds (phase, run)."""
     runs = [{name: seconds for name, seconds in row["phases"].items() if seconds} for row in rows]
     large = {name for run in runs for name, seconds in run.items() if seconds >= SMALLEST_PHASE * sum(run.values())}
-    order = [name for name in PHASES if name in large] + sorted(large - set(PHASES))
-    merged = [[run.get(name, 0.0) for name in order] + [sum(s for name, s in run.items() if name not in large)]
-              for run in runs]
-    return order + ["other"], np.array(merged)
+    phases = [name for name in PHASES if name in large] + sorted(large - set(PHASES))
+    seconds = [[run.get(name, 0.0) for run in runs] for name in phases]
+    others = [sum(s for name, s in run.items() if name not in large) for run in runs]
+    return (phases + ["other"], np.array(seconds + [others])) if any(others) else (phases, np.array(seconds))
+
+
+def finest_note(study, lines):
+    """At which refinement the bars are, as most have it; and the lines' names, those of others with their own."""
+    refinements = [number(line.finest, "refinement") for line in lines]
+    common = max(refinements, key=refinements.count)
+    names = [line.name if own == common else f"{line.name} ({own:g})" for line, own in zip(lines, refinements)]
+    if not common:
+        return "", names
+    note = f"each line at its finest run: {with_unit(study.content['refine'], common)}"
+    return note + (", where no other is said" if len(set(refinements)) > 1 else ""), names
+
+
+def draw_bars(axes, phases, widths):
+    """Stacked bars, one a column of widths (phase, line)."""
+    left = np.zeros(widths.shape[1])
+    for phase, width in zip(phases, widths):
+        axes.barh(range(len(width)), width, left=left, height=0.74, color=colour_of(phase))
+        left += width
 
 
 def draw_phases(folder, study):
+    """Seconds by phase, and what share of the run each phase takes."""
     lines = [line for line in study.lines if sum((line.finest.get("phases") or {}).values()) > 0]
     if not lines:
         return
     if len(lines) > MOST_BARS:
-        def least_error(line):
-            return number(line.finest, "errors", study.norms[0]) or math.inf
-        lines = sorted(lines, key=least_error)[:MOST_BARS]
+        lines = sorted(lines, key=lambda line: number(line.finest, "errors", study.norms[0]) or math.inf)[:MOST_BARS]
     lines.sort(key=lambda line: -sum(line.finest["phases"].values()))
-    names, seconds = phases_of([line.finest for line in lines])
-    refinements = [number(line.finest, "refinement") for line in lines]
-    same = len(set(refinements)) == 1
-    note = "each line at its finest run" + (f": {axis_title(study.content['refine'])} {refinements[0]:g}"
-                                            if same and refinements[0] else "")
-    figure = Figure(study, 1, 0.75 + 0.235 * len(lines), (note,))
-    axes = figure.panels[0]
-    labels = [line.name if same or not fineness else f"{line.name} ({fineness:g})"
-              for line, fineness in zip(lines, refinements)]
-    left, entries = np.zeros(len(lines)), []
-    for name, width in zip(names, seconds.T):
-        if width.any():
-            look = {"color": OTHER if name == "other" else colour_of(name)}
-            axes.barh(range(len(lines)), width, left=left, height=0.74, **look)
-            entries.append((look | {"marker": "s", "markersize": 8}, name.replace("_", " ")))
-            left += width
-    for k, total in enumerate(left):
-        axes.annotate(f"{total:.3g} s", (total, k), xytext=(4, 0), textcoords="offset points", va="center", fontsize=8)
-    axes.set_yticks(range(len(lines)), [plain(label) for label in labels], fontsize=8.5)
-    axes.set(xlim=(0, 1.1 * left.max()), ylim=(-0.6, len(lines) - 0.4), xlabel="seconds by phase")
-    figure.legend("phase", entries)
+    phases, seconds = phases_of([line.finest for line in lines])
+    note, names = finest_note(study, lines)
+    figure = Figure(study, 2, 0.75 + 0.235 * len(lines), (note,))
+    totals = seconds.sum(axis=0)
+    for axes, widths, most in zip(figure.panels, (seconds, 100 * seconds / totals), (1.25 * totals.max(), 100)):
+        draw_bars(axes, phases, widths)
+        axes.set(xlim=(0, most), ylim=(-0.6, len(lines) - 0.4), yticks=[])
+    for k, total in enumerate(totals):
+        figure.panels[0].annotate(f"{total:#.3g} s" if total < 100 else f"{total:.0f} s", (total, k), xytext=(4, 0),
+                                  textcoords="offset points", va="center", fontsize=8)
+    figure.panels[0].set_yticks(range(len(lines)), [plain(textwrap.fill(name, MOST_IN_NAME)) for name in names],
+                                fontsize=8.5 if max(map(len, names)) <= MOST_IN_NAME else 6.5)
+    figure.panels[0].set_xlabel("seconds by phase")
+    figure.panels[1].set_xlabel("share by phase [%]")
+    figure.legend("phases", [({"color": colour_of(phase), "marker": "s", "markersize": 8}, phase.replace("_", " "))
+                             for phase in phases], columns=6)
     figure.save(folder, "phases.png")
 
 
