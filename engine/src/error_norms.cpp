@@ -64,6 +64,7 @@ ErrorNorms error_norms(const MaterialPoints& points, const ExactSolution& exact,
     stress.col(p) = exact.stress(origin, t);
   }
   ErrorNorms norms;
+  norms.places = points.size();
   const Eigen::MatrixXd of_displacement = (points.displacement - displacement).cwiseAbs();
   const L2 l2_of_displacement = l2_norms(of_displacement, displacement, points.volume);
   norms.displacement = component_norms<2>(of_displacement, displacement, points.volume);

@@ -30,7 +30,7 @@ double bytes_of_cell(Case::BasisType basis) {
 /// functions reach over p cells, the separators are p of them wide, and entries (1 + p²)/2 times as many.
 double predicted_bytes(const Scene& scene, const PointSupports& supports, double unknowns, const Case::Grid& grid) {
   const double n = scene.basis->functions_per_cell();
-  const double points = scene.points.size();
+  const double points = scene.points.size() + (scene.samples ? scene.samples->size() : 0);
   const double cells = supports.cells();
   const double block_entries = n * (2.0 * n + 1.0);
   const double state = 12.0 * 8.0;                       // position, displacement, volume, stress, strain
@@ -51,6 +51,7 @@ std::string built(const Scene& scene) {
     if (const auto* c = std::get_if<Essential>(&b.condition); c != nullptr && c->method == EssentialMethod::grid)
       text += "  grid:" + b.piece.name + "\n";
   if (scene.fitted) text += "  fitted weights\n";
+  if (scene.samples) text += "  sample points\n";
   for (const Probe& probe : scene.probes) text += "  probe:" + probe.name + "\n";
   return text;
 }
@@ -65,9 +66,11 @@ std::string left_out(const Case& problem) {
   unless(problem.ghost > 0.0, "ghost penalty", "ghost is 0");
   unless(problem.fitted, "fitted weights", "material_points.volumes is not fitted");
   unless(problem.exact.has_value(), "errors", "no key exact");
+  unless(problem.samples.has_value(), "sample points", "no key samples");
   unless(!problem.probes.empty(), "probes", "no key probes");
   unless(problem.condition_estimate, "condition estimate", "diagnostics.condition_estimate is false");
   unless(problem.cut_fractions, "cut fractions", "diagnostics.cut_fractions is false");
+  unless(problem.strain_energy, "strain energy", "diagnostics.strain_energy is false");
   unless(problem.output.pictures, "pictures", "output.pictures is false");
   return text.empty() ? "  nothing\n" : text;
 }

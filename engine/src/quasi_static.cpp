@@ -6,11 +6,12 @@
 #include "effects/slip_points.hpp"
 #include "fitted_volumes.hpp"
 #include "motion_check.hpp"
+#include "move_points.hpp"
 #include "prescribed.hpp"
 #include "respace_pieces.hpp"
+#include "sample_points.hpp"
 #include "shoreline/engine/failures.hpp"
 #include "step_system.hpp"
-#include "threads.hpp"
 #include "weak_spots.hpp"
 
 namespace shoreline {
@@ -36,34 +37,6 @@ std::vector<Edge> make_edges(const Scene& scene, const PointSupports& supports, 
   return edges;
 }
 
-/// Moves points and their stresses, (E.4).
-void move_points(const Scene& scene, const PointSupports& supports, const Eigen::Matrix2Xd& increment,
-                 MaterialPoints& points) {
-  const auto n = static_cast<std::size_t>(supports.functions);
-#pragma omp parallel for schedule(static) if (worth_threads(supports.point.size()))
-  for (Index c = 0; c < supports.cells(); ++c) {
-    const auto cell = static_cast<std::size_t>(c);
-    const ShortIndices functions = scene.basis->functions_of(supports.cell[cell]);
-    for (auto k = static_cast<std::size_t>(supports.first[cell]);
-         k < static_cast<std::size_t>(supports.first[cell + 1]); ++k) {
-      Vec2 displacement = Vec2::Zero();
-      Vec3 strain = Vec3::Zero();
-      for (std::size_t a = 0; a < n; ++a) {
-        const Vec2 d = increment.col(functions[static_cast<Eigen::Index>(a)]);
-        const double gx = supports.gradient[2 * (k * n + a)];
-        const double gy = supports.gradient[2 * (k * n + a) + 1];
-        displacement += supports.value[k * n + a] * d;
-        strain += Vec3(gx * d.x(), gy * d.y(), gy * d.x() + gx * d.y());
-      }
-      const Index p = supports.point[k];
-      points.position.col(p) += displacement;
-      points.displacement.col(p) += displacement;
-      points.strain.col(p) += strain;
-      points.stress.col(p) = scene.material->updated(points.stress.col(p), strain);
-    }
-  }
-}
-
 /// The projected dilatation, where the material asks for it: bodies slip over the edges whose supports act in a band.
 std::optional<Dilatation> project_dilatation(const Scene& scene, const PointSupports& supports,
                                              const std::vector<Edge>& edges, const Eigen::Matrix2Xd& prescribed) {
@@ -75,13 +48,6 @@ std::optional<Dilatation> project_dilatation(const Scene& scene, const PointSupp
       dilatation.let_slip(edges[k], slip_points(*scene.basis, edges[k]), prescribed);
   }
   return dilatation;
-}
-
-/// Brings stresses, which a step updates with the points' own dilatation, to the projected one, (I.6).
-void project_stresses(const Dilatation& dilatation, const PointSupports& supports, const Eigen::Matrix2Xd& increment,
-                      MaterialPoints& points) {
-  const Eigen::RowVectorXd correction = dilatation.correction(points, supports, increment);
-  for (const Eigen::Index normal : {0, 1, 3}) points.stress.row(normal) += correction;
 }
 
 /// Points that are too few to integrate functions of a higher degree leave errors that no refinement removes. The parts
@@ -156,12 +122,13 @@ void run_step(Scene& scene, int step, const QuasiStaticOptions& options, Workspa
     record.diagnostics = clock.time("diagnostics", [&] { return weak_spots(state, work.system); });
   record.largest_increment = increment.size() == 0 ? 0.0 : increment.cwiseAbs().maxCoeff();
 
+  const StepMotion motion{*scene.basis, *scene.material, increment, state.dilatation};
   clock.time("update", [&] {
     record.resultants = accept(scene, state, increment, constraints, work);
-    if (dilatation) project_stresses(*dilatation, supports, increment, scene.points);
-    move_points(scene, supports, increment, scene.points);
+    move_points(motion, supports, scene.points);
     move_boundary(scene, edges, increment);
   });
+  if (scene.samples) clock.time("errors", [&] { move_samples(motion, supports.active, *scene.samples); });
 }
 
 }  // namespace

@@ -15,8 +15,9 @@ std::string row(const std::string& name, const ErrorNorms::Component& error) {
 }
 
 std::string errors_of(const ErrorNorms& errors) {
-  std::string text =
-      fmt::format("{:<22}{:>14}{:>14}{:>14}\n", "errors", "mean relative", "mean absolute", "max absolute");
+  std::string text = fmt::format("errors at {} {}\n{:<22}{:>14}{:>14}{:>14}\n", errors.places,
+                                 errors.at_samples ? "sample points" : "material points", "", "mean relative",
+                                 "mean absolute", "max absolute");
   text += row("displacement u [m]", errors.displacement[0]) + row("displacement v [m]", errors.displacement[1]);
   text += row("stress xx [Pa]", errors.stress[0]) + row("stress yy [Pa]", errors.stress[1]) +
           row("stress xy [Pa]", errors.stress[2]);
@@ -134,6 +135,7 @@ std::string report(const Summary& summary, const std::filesystem::path& output) 
   if (summary.projection_errors) text += "\n" + errors_of(*summary.projection_errors);
   text += fits_of(summary) + probes_of(summary) + "\n" + timings_of(summary);
   if (summary.condition_estimate) text += fmt::format("\ncondition estimate: {:.2e}\n", *summary.condition_estimate);
+  if (summary.strain_energy) text += fmt::format("\nstrain energy: {:.6e} J/m\n", *summary.strain_energy);
   if (summary.fitted_weights) text += weights_of(*summary.fitted_weights);
   if (summary.diagnostics) text += diagnostics_of(*summary.diagnostics);
   if (!summary.warnings.empty()) text += "\n";

@@ -16,6 +16,7 @@
 #include "shoreline/engine/progress.hpp"
 #include "shoreline/engine/quasi_static.hpp"
 #include "shoreline/engine/results_writer.hpp"
+#include "shoreline/engine/strain_energy.hpp"
 #include "shoreline/engine/summary.hpp"
 
 namespace shoreline {
@@ -23,7 +24,8 @@ namespace {
 
 /// @param radii  whether to measure those of arcs
 ErrorNorms errors_of(const Scene& scene, const RunRecord& record, bool radii, double t) {
-  ErrorNorms norms = error_norms(scene.points, *scene.exact, t);
+  ErrorNorms norms = error_norms(scene.samples ? *scene.samples : scene.points, *scene.exact, t);
+  norms.at_samples = scene.samples.has_value();
   norms.boundary_l2_displacement = record.resultants.displacement_errors;
   if (!radii) return norms;
   for (const BoundaryPiece& b : scene.boundary)
@@ -107,7 +109,7 @@ Summary run(const Case& problem, const RunOptions& options) {
   if (std::holds_alternative<Projection>(problem.analysis)) return run_projection(problem, options, threads);
   if (std::holds_alternative<ExplicitDynamics>(problem.analysis)) return run_dynamics(problem, options, threads);
   RunRecord record;
-  Scene scene = record.phases.time("setup", [&] { return build_scene(problem); });
+  Scene scene = build_scene(problem, record.phases);
   Summary summary = start(problem, scene, threads);
 
   Saving saving(problem, options.output, scene, record);
@@ -136,6 +138,8 @@ Summary run(const Case& problem, const RunOptions& options) {
     const bool radii = problem.exact && std::holds_alternative<ThickCylinder>(*problem.exact);
     if (scene.exact)
       summary.errors = record.phases.time("errors", [&] { return errors_of(scene, record, radii, 1.0); });
+    if (problem.strain_energy)
+      summary.strain_energy = record.phases.time("diagnostics", [&] { return strain_energy(scene.points); });
   } catch (const ComputationError& error) {
     saving.rescue();
     finish(false, error.what());

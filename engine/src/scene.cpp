@@ -7,6 +7,7 @@
 
 #include "body.hpp"
 #include "conditions_on_piece.hpp"
+#include "sample_points.hpp"
 #include "scene_of_body.hpp"
 #include "shoreline/boundary/region.hpp"
 #include "shoreline/engine/effects.hpp"
@@ -94,6 +95,35 @@ ExactSolution to_solution(const Case& problem, const LoadFactor& factor) {
                     *problem.exact);
 }
 
+/// What load steps need, but for the samples.
+Scene scene_of_load_steps(const Case& problem) {
+  const auto& analysis = std::get<QuasiStatic>(problem.analysis);
+  const LoadFactor factor = load_factor(analysis);
+  Scene scene = scene_of_body(problem, factor);
+  scene.material =
+      std::make_shared<LinearElastic>(problem.material.youngs_modulus, problem.material.poissons_ratio, problem.plane);
+  scene.loading = analysis.loading;
+  scene.load_steps = analysis.load_steps;
+  scene.respacing = problem.respacing;
+
+  const std::shared_ptr<const Material> law = law_of_contributions(problem, scene);
+  scene.contributions.push_back(stiffness_of(law));
+  if (scene.projected) scene.contributions.push_back(projected_dilatation());
+  if (problem.body_force || problem.gravity)
+    scene.contributions.push_back(body_force(force_per_volume(problem, factor)));
+  add_boundary_effects(scene, law, problem.ghost);
+  if (problem.ghost > 0.0) scene.contributions.push_back(ghost_penalty(problem.ghost, scene.material));
+  scene.probes = place_probes(problem, scene);
+  return scene;
+}
+
+/// @param boundary  at the start
+MaterialPoints samples_on(const std::vector<BoundaryPiece>& boundary, int across) {
+  std::vector<SplineCurve> curves;
+  for (const BoundaryPiece& b : boundary) curves.push_back(*b.original);
+  return place_samples(curves, across);
+}
+
 }  // namespace
 
 Scene scene_of_body(const Case& problem, const LoadFactor& factor) {
@@ -114,23 +144,14 @@ Scene scene_of_body(const Case& problem, const LoadFactor& factor) {
 }
 
 Scene build_scene(const Case& problem) {
-  const auto& analysis = std::get<QuasiStatic>(problem.analysis);
-  const LoadFactor factor = load_factor(analysis);
-  Scene scene = scene_of_body(problem, factor);
-  scene.material =
-      std::make_shared<LinearElastic>(problem.material.youngs_modulus, problem.material.poissons_ratio, problem.plane);
-  scene.loading = analysis.loading;
-  scene.load_steps = analysis.load_steps;
-  scene.respacing = problem.respacing;
+  Clock phases;
+  return build_scene(problem, phases);
+}
 
-  const std::shared_ptr<const Material> law = law_of_contributions(problem, scene);
-  scene.contributions.push_back(stiffness_of(law));
-  if (scene.projected) scene.contributions.push_back(projected_dilatation());
-  if (problem.body_force || problem.gravity)
-    scene.contributions.push_back(body_force(force_per_volume(problem, factor)));
-  add_boundary_effects(scene, law, problem.ghost);
-  if (problem.ghost > 0.0) scene.contributions.push_back(ghost_penalty(problem.ghost, scene.material));
-  scene.probes = place_probes(problem, scene);
+Scene build_scene(const Case& problem, Clock& phases) {
+  Scene scene = phases.time("setup", [&] { return scene_of_load_steps(problem); });
+  if (problem.samples)
+    scene.samples = phases.time("errors", [&] { return samples_on(scene.boundary, *problem.samples); });
   return scene;
 }
 

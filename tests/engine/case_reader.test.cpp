@@ -81,6 +81,8 @@ TEST_CASE("what a case leaves out has the default of the table", "[engine][case_
   CHECK_FALSE(problem.body_force.has_value());
   CHECK_FALSE(problem.gravity.has_value());
   CHECK_FALSE(problem.exact.has_value());
+  CHECK_FALSE(problem.samples.has_value());
+  CHECK_FALSE(problem.strain_energy);
   CHECK(std::get<LatticeFill>(problem.material_points).volumes == VolumeRule::clipped);
 }
 
@@ -218,6 +220,14 @@ TEST_CASE("probes and re-spacing are there only where asked for", "[engine][case
   CHECK(problem.respacing == 4.0);
 }
 
+TEST_CASE("samples go with an exact solution", "[engine][case_reader]") {
+  const std::string exact = R"(exact={"type": "expressions", "displacement": [0, 0], "stress": [0, 0, 0]})";
+  CHECK(with({exact, "samples=40"}).samples == 40);
+  CHECK(pointer_of("samples=40") == "/samples");
+  CHECK_THROWS_WITH(with({"samples=40"}), Contains("found sample points") && Contains("expected the key \"exact\""));
+  CHECK(with({"diagnostics.strain_energy=true"}).strain_energy);
+}
+
 TEST_CASE("an override sets what its path leads to", "[engine][case_reader]") {
   CHECK(with({"grid.cell_size=[0.25, 0.5]"}).grid.cell_size == Vec2(0.25, 0.5));
   CHECK(with({"grid.lower.1=-3"}).grid.lower == Vec2(-1, -3));
@@ -264,7 +274,8 @@ TEST_CASE("schema and reference page name every key that a case may have", "[eng
   const std::string key =
       GENERATE("title", "plane", "youngs_modulus", "cell_size", "corners", "band", "hole", "per_cell", "gravity",
                "ghost", "displacement", "condition_estimate", "cut_fractions", "pictures", "load", "normal", "across",
-               "centre", "far_field_stress", "inner_radius", "probes", "position", "respace", "per_block", "seed");
+               "centre", "far_field_stress", "inner_radius", "probes", "position", "respace", "per_block", "seed",
+               "samples", "strain_energy");
   CHECK_THAT(case_schema(), Contains("\"" + key + "\""));
   CHECK_THAT(case_format(), Contains("| `" + key + "` |"));
 }

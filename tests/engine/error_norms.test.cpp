@@ -28,6 +28,7 @@ MaterialPoints two_points() {
 
 TEST_CASE("means are weighted with volumes, and the largest error is not", "[engine][error_norms]") {
   const ErrorNorms norms = error_norms(two_points(), uniform(Vec2(4.0, 2.0), Vec3(20.0, 10.0, 4.0)), 0.5);
+  CHECK(norms.places == 2);
   CHECK_THAT(norms.displacement[0].mean_absolute, WithinRel((1.0 * 0.0 + 3.0 * 0.5) / 4.0, 1e-15));
   CHECK_THAT(norms.displacement[0].mean_relative.value(), WithinRel((3.0 * 0.25) / 4.0, 1e-15));
   CHECK_THAT(norms.displacement[0].max_absolute, WithinRel(0.5, 1e-15));

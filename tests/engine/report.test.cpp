@@ -35,6 +35,13 @@ TEST_CASE("a report has sizes, errors, cost, warnings and the folder", "[engine]
   CHECK_THAT(report(summary, "out/square"),
              Contains("stress yy [Pa]") && Contains("1.500e-04") && Contains("2.500e+00") && Contains("3.500e+00"));
 
+  summary.errors->places = 81;
+  CHECK_THAT(report(summary, "out"), Contains("errors at 81 material points\n") && !Contains("strain energy"));
+  summary.errors->at_samples = true;
+  summary.strain_energy = 2.5e-3;
+  CHECK_THAT(report(summary, "out"),
+             Contains("errors at 81 sample points\n") && Contains("strain energy: 2.500000e-03 J/m"));
+
   summary.errors->displacement_l2 = 1.125e-6;
   summary.errors->stress_l2 = 7.5;
   CHECK_THAT(report(summary, "out"), Contains("absolute 1.125e-06 m^2, 7.500e+00 Pa m") && !Contains("over time"));

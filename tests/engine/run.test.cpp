@@ -12,6 +12,8 @@
 #include "output_folder.hpp"
 #include "shoreline/boundary/short_forms.hpp"
 #include "shoreline/engine/failures.hpp"
+#include "shoreline/engine/quasi_static.hpp"
+#include "shoreline/engine/strain_energy.hpp"
 
 using namespace shoreline;
 using Catch::Matchers::Contains;
@@ -95,6 +97,35 @@ TEST_CASE("errors of a run are those of its exact solution", "[engine][run]") {
   const Summary off = run(problem, {.output = folder.path, .quiet = true});
   CHECK(off.errors->boundary_l2_displacement.at("right") < 1e-12);
   CHECK_THAT(off.errors->boundary_l2_displacement.at("bottom"), WithinRel(0.001 * std::sqrt(0.1), 1e-6));
+}
+
+TEST_CASE("errors of a run are measured at sample points where a case asks for them", "[engine][run]") {
+  const OutputFolder folder;
+  Case problem = small_square(2);
+  problem.exact = Case::ExactExpressions{{Expression("0"), Expression("-t*1e-3*(Y+0.05)")},
+                                         {Expression("0"), Expression("-t"), Expression("0")}};
+  const Summary own = run(problem, {.output = folder.path, .quiet = true});
+  const Json at_points = summary_in(folder.path)["errors"];
+  CHECK(at_points["measured_at"] == "material points");
+  CHECK(at_points["points"] == own.material_points);
+  CHECK_FALSE(summary_in(folder.path).contains("strain_energy"));
+
+  problem.samples = 12;
+  problem.strain_energy = true;
+  const Summary sampled = run(problem, {.output = folder.path, .quiet = true});
+  const Json at_samples = summary_in(folder.path)["errors"];
+  CHECK(at_samples["measured_at"] == "sample points");
+  CHECK(at_samples["points"] == build_scene(problem).samples.value().size());
+  CHECK(at_samples["displacement"] != at_points["displacement"]);
+  CHECK(at_samples["boundary"] == at_points["boundary"]);
+  CHECK(sampled.reactions == own.reactions);
+
+  Scene scene = build_scene(problem);
+  RunRecord record;
+  run_load_steps(scene, {}, record);
+  const ErrorNorms expected = error_norms(*scene.samples, *scene.exact, 1.0);
+  CHECK(sampled.errors.value().stress_l2 == expected.stress_l2);
+  CHECK(summary_in(folder.path)["strain_energy"] == strain_energy(scene.points));
 }
 
 TEST_CASE("the radii of a thick cylinder are measured on its arcs alone", "[engine][run]") {
@@ -222,6 +253,10 @@ TEST_CASE("a plan names what will run and what not, and its sizes", "[engine][ru
                                         Contains("load steps          5"));
   problem.probes = {{"tip", Vec2::Zero()}};
   CHECK_THAT(plan(problem), Contains("probe:tip") && !Contains("no key probes"));
+  CHECK_THAT(text, Contains("no key samples") && Contains("diagnostics.strain_energy is false"));
+  problem.samples = 10;
+  problem.strain_energy = true;
+  CHECK_THAT(plan(problem), Contains("  sample points\n") && !Contains("no key samples") && !Contains("strain_energy"));
   problem.boundaries.pop_back();
   CHECK_THROWS_AS(plan(problem), CaseError);
 }

@@ -29,10 +29,11 @@ CASE = {
     "ghost": 1e-3,
     "constants": {"p": 1000.0},
     "exact": {"type": "expressions", "displacement": [0, "p*y"], "stress": [0, "p", 0]},
+    "samples": 20,
     "probes": [{"name": "tip", "position": [1, 0]}, {"name": "root", "position": [-1, 0]}],
     "tracking": {"respace": 4.0},
     "solver": {"threads": 1},
-    "diagnostics": {"condition_estimate": True, "cut_fractions": False},
+    "diagnostics": {"condition_estimate": True, "cut_fractions": False, "strain_energy": True},
     "output": {"every": 1, "pictures": False},
 }
 
@@ -112,7 +113,7 @@ OTHERS = [("grid", {"cells": "triangle", "basis": "linear", "pattern": "four", "
           ("exact", {"type": "thick_cylinder", "inner_radius": 1.0, "outer_radius": 5.0, "pressure": 1e6})]
 
 OPTIONAL = {"title", "load_steps", "load", "loading", "density", "cells", "basis", "degree", "pattern", "corners", "condition", "method", "band",
-            "fill", "volumes", "body_force", "gravity", "ghost", "constants", "exact", "probes", "tracking", "respace",
+            "fill", "volumes", "body_force", "gravity", "ghost", "constants", "exact", "samples", "strain_energy", "probes", "tracking", "respace",
             "centre", "seed", "solver", "threads", "diagnostics", "condition_estimate", "cut_fractions", "output", "every", "pictures", "hole", "p",
             "gradient", "mass"}
 OPTIONAL_IN_DYNAMICS = {"time_step", "safety", "transfer", "damping", "leaving", "boundaries", "initial_velocity",
@@ -270,6 +271,10 @@ def wrong_values():
         ("exact/type", "plate", 'nearest: "plate_with_hole"', True),
         ("exact/displacement", [0], "list of 2", True),
         ("exact/stress/1", "p*z", "character 3", False),
+        ("samples", 0, "whole number from 2 to 10000", True),
+        ("samples", 1.5, "whole number", True),
+        ("samples", 10001, "10000", True),
+        ("samples", "many", "whole number", True),
         ("probes", [], "at least 1", True),
         ("probes/0", [1, 0], "an object", True),
         ("probes/0/name", "a.b", "a name", True),
@@ -283,6 +288,7 @@ def wrong_values():
         ("solver/threads", 100000, "1024", True),
         ("diagnostics/condition_estimate", 1, "true or false", True),
         ("diagnostics/cut_fractions", "yes", "true or false", True),
+        ("diagnostics/strain_energy", "J", "true or false", True),
         ("output/every", 0, "from 1", True),
         ("output/pictures", "no", "true or false", True),
     ]
@@ -311,6 +317,9 @@ def wrong_together():
     yield also("boundaries/5/condition", "band", 1e-3, "/boundaries/5/condition/band", ["expected none"], False)
     yield Wrong("an exact displacement of no exact solution", changed("exact", lambda at, last: at.pop(last)),
                 "/boundaries/5/condition/value", ['the key "exact"'], False)
+    inexact = {key: value for key, value in CASE.items() if key != "exact"}
+    yield Wrong("samples of no exact solution", replaced("boundaries/5/condition/value", [0, 0], inexact), "/samples",
+                ["found sample points", 'the key "exact"'], False)
     yield also("material_points", "points", [[0, 0]], "/material_points", ["unknown key"], True)
     yield also("material_points", "across", [2, 2], "/material_points", ['"per_cell" and "across"', "exactly one of"], True)
     yield also("material_points", "seed", 1, "/material_points", ['unknown key "seed"'], True)
@@ -402,7 +411,8 @@ def wrong_projections():
     value = PROJECTION["analysis"]["value"]
     for name, more, pointer, words, structural in [
             *[(f"projection with {key}", {key: CASE[key]}, f"/{key}", ["expected none", '"projection"'], True)
-              for key in ("material", "body_force", "gravity", "ghost", "exact", "probes", "tracking", "diagnostics")],
+              for key in ("material", "body_force", "gravity", "ghost", "exact", "samples", "probes", "tracking",
+                          "diagnostics")],
             ("load steps", {"analysis": {"type": "projection", "value": 1, "load_steps": 2}}, "/analysis",
              ['unknown key "load_steps"'], True),
             ("saved steps", {"output": {"every": 2}}, "/output", ['unknown key "every"'], True),
@@ -518,7 +528,7 @@ def wrong_dynamics():
             ("a point outside the grid", {**unbounded, "material_points": {**listed, "points": [[0.5, 0.5], [9, 9]]}},
              "/material_points", ["point 1 at (9, 9)", "outside the grid"], False),
             *[(f"dynamics with {key}", {**DYNAMICS, key: CASE[key]}, f"/{key}", ["expected none", '"explicit_dynamics"'],
-               True) for key in ("tracking", "diagnostics")],
+               True) for key in ("tracking", "diagnostics", "samples")],
             ("a ghost mass beside a lumped mass", {**DYNAMICS, "ghost": 1e-3}, "/ghost", ["lumping erases", "consistent"],
              False),
             *[(f"dynamics with analysis.{key}", {**DYNAMICS, "analysis": {**DYNAMICS["analysis"], key: value}},

@@ -145,6 +145,12 @@ void read_loads(const Node& root, const Constants& constants, Case& problem) {
       root["gravity"].place.fail("found gravity, expected \"density\" in /material beside it");
   }
   if (root.has("exact")) problem.exact = read_exact(root["exact"], constants);
+  if (root.has("samples")) {
+    if (!problem.exact)
+      root["samples"].place.fail(
+          "found sample points, expected the key \"exact\" beside it, whose errors they measure");
+    problem.samples = root["samples"].as<int>();
+  }
 }
 
 /// What load steps need beside grid, outline and points.
@@ -161,6 +167,7 @@ void read_load_steps(const Node& root, const Constants& constants, Case& problem
   if (root["tracking"].has("respace")) problem.respacing = root["tracking"]["respace"].as<double>();
   problem.condition_estimate = root["diagnostics"]["condition_estimate"].as<bool>();
   problem.cut_fractions = root["diagnostics"]["cut_fractions"].as<bool>();
+  problem.strain_energy = root["diagnostics"]["strain_energy"].as<bool>();
   problem.output.every = root["output"]["every"].as<int>();
 }
 

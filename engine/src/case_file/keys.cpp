@@ -119,7 +119,9 @@ Schema diagnostics() {
   return {Object{{key("condition_estimate", {Boolean{}}, otherwise(Case{}.condition_estimate), "",
                       "estimate the condition number of the scaled system; a warning above 1e14"),
                   key("cut_fractions", {Boolean{}}, otherwise(Case{}.cut_fractions), "",
-                      "tell where the system is weak: the smallest cut cell, the smallest pivot, stray points")},
+                      "tell where the system is weak: the smallest cut cell, the smallest pivot, stray points"),
+                  key("strain_energy", {Boolean{}}, otherwise(Case{}.strain_energy), "",
+                      "the energy that the body stores at the end")},
                  {}}};
 }
 
@@ -169,6 +171,10 @@ Object quasi_static_case() {
        constants(),
        key("exact", exact(false), optional, "",
            "exact solution as functions of the original position and t; with it, errors are computed"),
+       key("samples", {Integer{2, 10000}}, optional, "",
+           "errors are measured at a lattice of sample points, this many along the longer side of the body's bounding "
+           "box, carried along with the material, instead of at the material points: the same places and weights "
+           "whatever the grid, the basis and the points; needs `exact`"),
        key("probes", list(probe(), 1, 100000), optional, "",
            "history of the material point or tracking point nearest to a place, saved at every step"),
        settings("tracking", tracking(), "how tracking points are kept"),

@@ -38,6 +38,8 @@ Json error_norms(const ErrorNorms& errors) {
     boundary[name]["radius"] = {
         {"mean", radius.mean}, {"exact", radius.exact}, {"mean_relative", radius.mean_relative}};
   Json json = {
+      {"measured_at", errors.at_samples ? "sample points" : "material points"},
+      {"points", errors.places},
       {"displacement", component_norms(errors.displacement_l2, errors.displacement_l2_relative, errors.displacement)},
       {"stress", component_norms(errors.stress_l2, errors.stress_l2_relative, errors.stress)},
       {"boundary", boundary}};
@@ -179,6 +181,7 @@ void write_summary(const Summary& summary, const std::filesystem::path& folder) 
   for (const Probe& p : summary.probes) json["probes"][p.name] = probe(p);
   add_costs(summary, json);
   if (summary.condition_estimate) json["condition_estimate"] = *summary.condition_estimate;
+  if (summary.strain_energy) json["strain_energy"] = *summary.strain_energy;
   if (summary.diagnostics) json["diagnostics"] = diagnostics(*summary.diagnostics);
   write_atomically(folder / "summary.json", json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
 }

@@ -137,11 +137,13 @@ struct Case {
   ///@}
   double ghost = 0.0;  ///< γ of the ghost penalty; 0: none is built
   std::optional<Exact> exact;
+  std::optional<int> samples;  ///< errors are measured at so many sample points along the body, not its material points
   std::vector<Probe> probes;
   double respacing = 0.0;  ///< tracking points are re-spaced where chords differ by more than this factor; 0: never
   int threads = 0;         ///< 0: all cores
   bool condition_estimate = false;
   bool cut_fractions = false;  ///< and what else tells where the system is weak
+  bool strain_energy = false;  ///< (E.6)
   Output output;
 };
 

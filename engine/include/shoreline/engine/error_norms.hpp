@@ -8,7 +8,7 @@
 
 namespace shoreline {
 
-/// Norms over the material points, weighted with their volumes, (N.1)–(N.4) (Bing et al. 2019, eqs 37–40).
+/// Norms over material points or samples, weighted with their volumes, (N.1)–(N.4) (Bing et al. 2019, eqs 37–40).
 ///
 /// Relative norms whose exact value vanishes at a point are missing.
 [[nodiscard]] ErrorNorms error_norms(const MaterialPoints& points, const ExactSolution& exact, double t);

@@ -78,6 +78,8 @@ struct ErrorNorms {
     double rms = 0.0;       ///< root of the mean over points and times of |h − a|²: de Koster et al. 2020, (47)
     double mean_rms = 0.0;  ///< mean over the times of the root of the volume-weighted mean over points of |h − a|²
   };
+  bool at_samples = false;  ///< measured at sample points, (N.9); else at the material points
+  Index places = 0;         ///< how many of them
   std::optional<double> displacement_l2_relative;
   double displacement_l2 = 0.0;           ///< (Σ V |h − a|²)^½ [m²]
   std::array<Component, 2> displacement;  ///< u, v [m]
@@ -135,6 +137,7 @@ struct Summary {
   std::optional<WeightReport> fitted_weights{};
   std::optional<double> condition_estimate;
   std::optional<Diagnostics> diagnostics;
+  std::optional<double> strain_energy;  ///< (E.6) [J per metre of thickness]
   std::vector<std::string> warnings;
   double extended_share = 0.0;  ///< largest share of a piece that lies in cells without material points
   std::map<std::string, long> counters;

@@ -8,6 +8,7 @@
 #include "shoreline/boundary/outline.hpp"
 #include "shoreline/engine/assembler.hpp"
 #include "shoreline/engine/case.hpp"
+#include "shoreline/engine/clock.hpp"
 #include "shoreline/engine/contribution.hpp"
 #include "shoreline/engine/error_norms.hpp"
 #include "shoreline/engine/material.hpp"
@@ -37,12 +38,16 @@ struct Scene {
   int load_steps = 1;
   double respacing = 0.0;  ///< ratio of chords beyond which tracking points are re-spaced; 0: never
   std::optional<ExactSolution> exact;
-  std::vector<Probe> probes;  ///< with their history, to which load steps add
+  std::optional<MaterialPoints> samples;  ///< where errors are measured, (N.9), if not at the points; carry no load
+  std::vector<Probe> probes;              ///< with their history, to which load steps add
 };
 
 /// Turns a case into a scene.
 /// @throws CaseError with the key at fault where the outline does not bound a body inside the grid, or holds no points
 [[nodiscard]] Scene build_scene(const Case& problem);
+
+/// The same, with its time booked: that of the sample points under "errors", all else under "setup".
+[[nodiscard]] Scene build_scene(const Case& problem, Clock& phases);
 
 /// What pieces with method `grid` prescribe at one step, (C.3), as components that others give; each once.
 ///

@@ -1,0 +1,323 @@
+// Sample points, engine/src/sample_points.hpp: errors of every method measured at the same places.
+
+#include <omp.h>
+
+#include <catch2/catch.hpp>
+
+#include "../../engine/src/sample_points.hpp"
+#include "../../engine/src/threads.hpp"
+#include "../plate_on_basis.hpp"
+#include "../scenes.hpp"
+#include "shoreline/engine/failures.hpp"
+#include "shoreline/engine/linear_solver.hpp"
+
+using namespace shoreline;
+using Catch::Matchers::Contains;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+RunRecord run(Scene& scene) {
+  RunRecord record;
+  run_load_steps(scene, {}, record);
+  return record;
+}
+
+ErrorNorms at_samples(const Scene& scene) { return error_norms(scene.samples.value(), scene.exact.value(), 1.0); }
+
+/// A square across the lines of a grid, under a pressure that makes its displacement linear; strains of 1e-12.
+Scene patch(const Case::Grid& grid, int steps, Loading loading, bool projected = false) {
+  const test::CompressionSquare square{.angle = 0.4,
+                                       .shift = Vec2(0.03, -0.02),
+                                       .side = 1.0,
+                                       .band = nitsche_band(grid.basis),
+                                       .method = EssentialMethod::nitsche,
+                                       .ghost = ghost_for_nitsche(grid.basis, grid.degree),
+                                       .load = 1e-6,
+                                       .steps = steps,
+                                       .loading = loading};
+  Case problem = test::compression_case(square);
+  std::vector<Vec2> corners;
+  for (const Case::Boundary& side : problem.boundaries) corners.push_back(side.piece.points.front());
+  problem.grid = grid;
+  problem.material.projected_dilatation = projected;
+  problem.material_points = test::patch_points(grid, corners);
+  problem.samples = 13;
+  Scene scene = build_scene(problem);
+  scene.exact = test::compression_square(square).exact;
+  return scene;
+}
+
+std::vector<test::NamedGrid> grids() { return test::every_grid(Vec2(-1.0, -1.0), 2.0, 9); }
+
+Case::Grid splines(int degree) {
+  Case::Grid grid;
+  grid.basis = Case::BasisType::bspline;
+  grid.degree = degree;
+  return grid;
+}
+
+/// The plate with a hole under tractions, with points of fitted weights, and sample points.
+Case plate(const Case::Grid& grid, double h, int per_cell, int across) {
+  Case problem = test::plate_on("plate_with_hole/neumann.json", grid, h, 10.0);
+  problem.material_points = LatticeFill{{per_cell, per_cell}, VolumeRule::fitted};
+  problem.fitted = true;
+  problem.samples = across;
+  return problem;
+}
+
+struct Measured {
+  double displacement;  ///< relative L2
+  double stress;        ///< relative L2
+};
+
+Measured measured(const ErrorNorms& norms) {
+  return {norms.displacement_l2_relative.value(), norms.stress_l2_relative.value()};
+}
+
+double difference(double a, double b) { return std::abs(a - b) / std::max(a, b); }
+
+}  // namespace
+
+TEST_CASE("patch test: a linear field is exact at the samples on every basis, in every loading", "[engine][samples]") {
+  for (const auto& [name, grid] : grids())
+    for (const int steps : {1, 5})
+      for (const Loading loading : {Loading::residual, Loading::incremental})
+        for (const bool projected : {false, true}) {
+          CAPTURE(name, steps, loading, projected);
+          Scene scene = patch(grid, steps, loading, projected);
+          run(scene);
+          const Measured error = measured(at_samples(scene));
+          CHECK(error.displacement <= 1e-11);
+          CHECK(error.stress <= 1e-11);
+        }
+}
+
+TEST_CASE("samples depend on the outline alone and their areas sum to the body's", "[engine][samples]") {
+  const Scene coarse = build_scene(plate(splines(2), 0.25, 3, 50));
+  Case other = plate({}, 0.125, 2, 50);
+  other.material_points = AcrossFill{.across = {30, 30}};
+  other.fitted = false;
+  const Scene fine = build_scene(other);
+  REQUIRE(coarse.samples);
+  CHECK(coarse.samples->position == fine.samples.value().position);
+  CHECK(coarse.samples->volume == fine.samples.value().volume);
+
+  std::vector<SplineCurve> curves;
+  for (const BoundaryPiece& b : coarse.boundary) curves.push_back(*b.original);
+  CHECK_THAT(coarse.samples->volume.sum(), WithinRel(Region(curves).area(), 1e-12));
+  const double spacing = 2.0 / 50;  // the plate is 2 wide, and a little less high
+  CHECK(coarse.samples->volume.maxCoeff() <= spacing * spacing * (1.0 + 1e-12));
+  CHECK(coarse.samples->volume.maxCoeff() >= 0.97 * spacing * spacing);
+}
+
+TEST_CASE("sub-cells of samples are squares where the sides are in a ratio of whole numbers", "[engine][samples]") {
+  const auto number = [](double width, double height, int across) {
+    Case problem = test::disc_case(1.0, 0.21, Case::Free{});
+    problem.boundaries[0].piece = {.name = "rim",
+                                   .points = {{0, 0}, {width, 0}, {width, height}, {0, height}},
+                                   .corners = {0, 1, 2, 3},
+                                   .closed = true};
+    return place_samples(std::vector{fit_spline(problem.boundaries[0].piece)}, across).size();
+  };
+  CHECK(number(0.3, 0.1, 30) == 300);
+  CHECK(number(0.1, 0.3, 30) == 300);
+  CHECK(number(0.7, 0.7, 7) == 49);
+  CHECK(number(1.0, 0.31, 10) == 40);  // rounded up
+  CHECK(number(1.0, 1e-3, 2) == 2);
+}
+
+TEST_CASE("samples change nothing of a run, and without them nothing is located or timed", "[engine][samples]") {
+  for (const bool projected : {false, true}) {
+    Case problem = test::compression_case(
+        {.angle = 0.3, .shift = Vec2(0.002, 0.001), .per_cell = 2, .ghost = 1e-3, .load = 5e4, .steps = 3});
+    problem.material.projected_dilatation = projected;
+    Scene without = build_scene(problem);
+    problem.samples = 40;
+    Scene with = build_scene(problem);
+    const RunRecord plain = run(without);
+    const RunRecord measured = run(with);
+    CHECK(without.points.position == with.points.position);
+    CHECK(without.points.stress == with.points.stress);
+    CHECK(plain.resultants.reactions == measured.resultants.reactions);
+    CHECK(plain.resultants.loads == measured.resultants.loads);
+    CHECK_FALSE(without.samples);
+    const auto calls = [](const RunRecord& record) {
+      long sum = 0;
+      for (const Clock::Entry& entry : record.phases.entries()) sum += entry.name == "errors" ? entry.calls : 0;
+      return sum;
+    };
+    CHECK(calls(plain) == 0);
+    CHECK(calls(measured) == 3);
+    CHECK(plain.phases.entries().size() + 1 == measured.phases.entries().size());
+  }
+}
+
+TEST_CASE("the time of placing samples is booked under errors", "[engine][samples]") {
+  Case problem = test::compression_case({});
+  const auto names = [&] {
+    Clock clock;
+    static_cast<void>(build_scene(problem, clock));
+    std::vector<std::string> found;
+    for (const Clock::Entry& entry : clock.entries()) found.push_back(entry.name);
+    return found;
+  };
+  CHECK(names() == std::vector<std::string>{"setup"});
+  problem.samples = 10;
+  CHECK(names() == std::vector<std::string>{"setup", "errors"});
+}
+
+TEST_CASE("samples at material points are carried as those are, to the last digit", "[engine][samples]") {
+  for (const bool projected : {false, true})
+    for (const auto& [name, grid] : grids()) {
+      CAPTURE(name, projected);
+      Case problem = test::disc_case(0.7, 0.1, Essential{.method = EssentialMethod::nitsche, .band = 0.01});
+      problem.grid = grid;
+      problem.ghost = 1e-3;
+      problem.material.projected_dilatation = projected;
+      problem.body_force = {Quantity(4e4), Quantity(-9e4)};
+      std::get<QuasiStatic>(problem.analysis).load_steps = 3;
+      Scene scene = build_scene(problem);
+      scene.samples = scene.points;
+      run(scene);
+      CHECK(scene.samples->displacement.norm() > 1e-3);
+      CHECK(scene.samples->position == scene.points.position);
+      CHECK(scene.samples->displacement == scene.points.displacement);
+      CHECK(scene.samples->strain == scene.points.strain);
+      CHECK(scene.samples->stress == scene.points.stress);
+    }
+}
+
+TEST_CASE("a sample in a cell without points has the polynomials of the nearest cell with some", "[engine][samples]") {
+  const Mat2 gradient = (Mat2() << 1e-3, 4e-3, -2e-3, 5e-3).finished();
+  for (const auto& [name, grid] : grids()) {
+    CAPTURE(name);
+    Case problem = test::disc_case(0.7, 0.1, Case::Free{});
+    problem.grid = grid;
+    problem.material_points = AcrossFill{.across = {6, 6}};  // the grid has finer cells
+    problem.samples = 50;
+    Scene scene = build_scene(problem);
+    const PointSupports points = locate_points(*scene.basis, scene.points);
+    const PointSupports served = locate_samples(*scene.basis, points.active, *scene.samples);
+    for (const Index cell : served.cell) REQUIRE(points.active[static_cast<std::size_t>(cell)]);
+    Index elsewhere = 0;
+    for (Index p = 0; p < scene.samples->size(); ++p) {
+      const auto cell = scene.basis->grid().locate(scene.samples->position.col(p), 0).value();
+      elsewhere += points.active[static_cast<std::size_t>(cell)] ? 0 : 1;
+    }
+    CHECK(elsewhere >= 100);
+
+    const MaterialPoints before = *scene.samples;
+    const Eigen::Matrix2Xd field = test::linear_field(*scene.basis, gradient);
+    move_samples({*scene.basis, *scene.material, field, nullptr}, points.active, *scene.samples);
+    CHECK((scene.samples->displacement - gradient * before.position).norm() <= 1e-12 * before.position.norm());
+    const Vec3 strain(gradient(0, 0), gradient(1, 1), gradient(0, 1) + gradient(1, 0));
+    CHECK((scene.samples->strain.colwise() - strain).cwiseAbs().maxCoeff() <= 1e-11 * strain.norm());
+  }
+}
+
+TEST_CASE("a cut corner without points has samples like any other place of the body", "[engine][samples]") {
+  const test::CompressionSquare square{
+      .angle = 0.4, .shift = Vec2(-0.134, 0.0433), .side = 1.0, .method = EssentialMethod::nitsche, .load = 1e-6};
+  for (const auto& [name, grid] : test::every_grid({-1.0, -1.0}, 2.0, 5)) {
+    if (grid.mesh || grid.basis == Case::BasisType::linear || grid.basis == Case::BasisType::powell_sabin) continue;
+    CAPTURE(name);
+    Case problem = test::compression_case(square);
+    std::vector<Vec2> corners;
+    for (const Case::Boundary& side : problem.boundaries) corners.push_back(side.piece.points.front());
+    problem.grid = grid;
+    problem.ghost = ghost_for_nitsche(grid.basis, grid.degree);
+    const double line = -1.0 + grid.cell_size.y();  // the tip of the lowest corner lies below it, in one cell
+    std::vector<Case::ListedPoint> points = test::patch_points(grid, corners);
+    std::erase_if(points, [&](const Case::ListedPoint& p) { return p.position.y() < line; });
+    problem.material_points = points;
+    problem.samples = 300;
+    Scene scene = build_scene(problem);
+    scene.exact = test::compression_square(square).exact;
+    const auto in_tip = scene.samples.value().position.row(1).array() < line;
+    REQUIRE(in_tip.count() >= 5);
+    run(scene);
+    const Measured samples = measured(at_samples(scene));
+    const Vec3 exact = scene.exact->stress(corners[0], 1.0);
+    double worst = 0.0;
+    for (Index p = 0; p < scene.samples->size(); ++p)
+      if (in_tip[p]) worst = std::max(worst, (scene.samples->stress.col(p).head<3>() - exact).norm() / exact.norm());
+    CHECK(samples.displacement <= 1e-3);
+    CHECK(samples.stress <= 3e-3);
+    CHECK(worst <= 0.03);
+  }
+}
+
+TEST_CASE("few points and many with the same integrals have the same errors at samples", "[engine][samples]") {
+  const auto errors = [](const Case::Grid& grid, int per_cell) {
+    Scene scene = build_scene(plate(grid, 0.125, per_cell, 100));
+    run(scene);
+    return std::pair(measured(error_norms(scene.points, *scene.exact, 1.0)), measured(at_samples(scene)));
+  };
+  {
+    const auto [own_of_few, few] = errors({}, 2);  // the weights integrate the stiffness exactly
+    const auto [own_of_many, many] = errors({}, 8);
+    CHECK(difference(few.displacement, many.displacement) <= 1e-10);
+    CHECK(difference(few.stress, many.stress) <= 1e-10);
+    CHECK(difference(own_of_few.displacement, own_of_many.displacement) >= 2e-3);
+    CHECK(difference(own_of_few.stress, own_of_many.stress) >= 1e-2);
+  }
+  const auto [own_of_few, few] = errors(splines(2), 3);  // here, all but the highest mixed monomials
+  const auto [own_of_many, many] = errors(splines(2), 8);
+  CHECK(difference(few.displacement, many.displacement) <=
+        0.3 * difference(own_of_few.displacement, own_of_many.displacement));
+  CHECK(difference(few.stress, many.stress) <= 0.05 * difference(own_of_few.stress, own_of_many.stress));
+}
+
+TEST_CASE("plate with a hole: errors at samples fall with the order of the basis", "[engine][samples]") {
+  struct Expected {
+    Case::Grid grid;
+    int order;  ///< of the displacement; the stress has one less
+    Measured at_finest;
+  };
+  Case::Grid powell_sabin;
+  powell_sabin.basis = Case::BasisType::powell_sabin;
+  for (const auto& [grid, order, bound] :
+       {Expected{Case::Grid{}, 2, {3e-3, 2.4e-2}}, Expected{splines(2), 3, {3.5e-5, 1.9e-3}},
+        Expected{powell_sabin, 3, {4.2e-5, 2.5e-3}}}) {
+    const auto errors = [&, g = grid, n = order](double h) {
+      Scene scene = build_scene(plate(g, h, n, 150));
+      run(scene);
+      return measured(at_samples(scene));
+    };
+    const Measured coarse = errors(0.125);
+    const Measured fine = errors(0.0625);
+    CHECK(std::log2(coarse.displacement / fine.displacement) >= order - 0.2);
+    CHECK(std::log2(coarse.stress / fine.stress) >= order - 1.15);
+    CHECK(fine.displacement <= bound.displacement);
+    CHECK(fine.stress <= bound.stress);
+  }
+}
+
+TEST_CASE("samples do not depend on the number of threads", "[engine][samples]") {
+  const int threads_before = omp_get_max_threads();
+  set_blas_threads(1);
+  const auto samples_with = [](int threads) {
+    omp_set_num_threads(threads);
+    Case problem = test::compression_case({.cells = 8, .method = EssentialMethod::grid, .load = 5e4, .steps = 2});
+    problem.grid.basis = Case::BasisType::linear;  // whose stress jumps at the edges on which samples lie
+    problem.samples = 160;
+    Scene scene = build_scene(problem);
+    REQUIRE(worth_threads(static_cast<std::size_t>(scene.samples->size())));
+    run(scene);
+    return scene.samples.value();
+  };
+  const MaterialPoints one = samples_with(1);
+  const MaterialPoints two = samples_with(2);
+  omp_set_num_threads(threads_before);
+  CHECK(one.position == two.position);
+  CHECK(one.stress == two.stress);
+}
+
+TEST_CASE("a sample outside the grid ends the run with its place", "[engine][samples]") {
+  Case problem = test::compression_case({.steps = 2});
+  problem.samples = 10;
+  Scene scene = build_scene(problem);
+  scene.samples->position.col(7) = Vec2(9.0, 0.5);
+  CHECK_THROWS_WITH(run(scene), Contains("load step 1: sample point 7 at (9, 0.5)") && Contains("enlarge the grid"));
+}
