@@ -32,7 +32,7 @@ CASE = {
     "probes": [{"name": "tip", "position": [1, 0]}, {"name": "root", "position": [-1, 0]}],
     "tracking": {"respace": 4.0},
     "solver": {"threads": 1},
-    "diagnostics": {"condition_estimate": True, "cut_fractions": False},
+    "diagnostics": {"condition_estimate": True, "cut_fractions": False, "error_estimate": True},
     "output": {"every": 1, "pictures": False},
 }
 
@@ -113,7 +113,7 @@ OTHERS = [("grid", {"cells": "triangle", "basis": "linear", "pattern": "four", "
 
 OPTIONAL = {"title", "load_steps", "load", "loading", "density", "cells", "basis", "degree", "pattern", "corners", "condition", "method", "band",
             "fill", "volumes", "body_force", "gravity", "ghost", "constants", "exact", "probes", "tracking", "respace",
-            "centre", "seed", "solver", "threads", "diagnostics", "condition_estimate", "cut_fractions", "output", "every", "pictures", "hole", "p",
+            "centre", "seed", "solver", "threads", "diagnostics", "condition_estimate", "cut_fractions", "error_estimate", "output", "every", "pictures", "hole", "p",
             "gradient", "mass"}
 OPTIONAL_IN_DYNAMICS = {"time_step", "safety", "transfer", "damping", "leaving", "boundaries", "initial_velocity",
                         "history"}
@@ -283,6 +283,7 @@ def wrong_values():
         ("solver/threads", 100000, "1024", True),
         ("diagnostics/condition_estimate", 1, "true or false", True),
         ("diagnostics/cut_fractions", "yes", "true or false", True),
+        ("diagnostics/error_estimate", 1e-3, "true or false", True),
         ("output/every", 0, "from 1", True),
         ("output/pictures", "no", "true or false", True),
     ]

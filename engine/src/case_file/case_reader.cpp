@@ -173,6 +173,7 @@ void read_load_steps(const Node& root, const Constants& constants, Case& problem
   if (root["tracking"].has("respace")) problem.respacing = root["tracking"]["respace"].as<double>();
   problem.condition_estimate = root["diagnostics"]["condition_estimate"].as<bool>();
   problem.cut_fractions = root["diagnostics"]["cut_fractions"].as<bool>();
+  problem.error_estimate = root["diagnostics"]["error_estimate"].as<bool>();
   problem.output.every = root["output"]["every"].as<int>();
 }
 

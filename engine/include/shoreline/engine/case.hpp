@@ -141,7 +141,8 @@ struct Case {
   double respacing = 0.0;  ///< tracking points are re-spaced where chords differ by more than this factor; 0: never
   int threads = 0;         ///< 0: all cores
   bool condition_estimate = false;
-  bool cut_fractions = false;  ///< and what else tells where the system is weak
+  bool cut_fractions = false;   ///< and what else tells where the system is weak
+  bool error_estimate = false;  ///< of the stress at the end
   Output output;
 };
 
