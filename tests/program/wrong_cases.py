@@ -95,6 +95,7 @@ DYNAMICS = {
     "history": {"every": 10},
     "probes": [{"name": "tip", "position": [1, 1]}],
     "solver": {"threads": 1},
+    "diagnostics": {"error_estimate": True},
     "output": {"every": 100, "pictures": False},
 }
 
@@ -478,6 +479,7 @@ def wrong_dynamics():
         ("history", 10, "an object", True),
         ("history/every", 0, "from 1", True),
         ("history/every", 1.5, "whole number", True),
+        ("diagnostics/error_estimate", "yes", "true or false", True),
         ("output/every", 0, "from 1", True),
     ]
     for path, value, words, structural in table:
@@ -518,8 +520,10 @@ def wrong_dynamics():
             ("a fill without an outline", unbounded, "/material_points", ["outline"], False),
             ("a point outside the grid", {**unbounded, "material_points": {**listed, "points": [[0.5, 0.5], [9, 9]]}},
              "/material_points", ["point 1 at (9, 9)", "outside the grid"], False),
-            *[(f"dynamics with {key}", {**DYNAMICS, key: CASE[key]}, f"/{key}", ["expected none", '"explicit_dynamics"'],
-               True) for key in ("tracking", "diagnostics")],
+            ("dynamics with tracking", {**DYNAMICS, "tracking": CASE["tracking"]}, "/tracking",
+             ["expected none", '"explicit_dynamics"'], True),
+            ("dynamics with a condition estimate", {**DYNAMICS, "diagnostics": {"condition_estimate": True}},
+             "/diagnostics", ['unknown key "condition_estimate"'], True),
             ("a ghost mass beside a lumped mass", {**DYNAMICS, "ghost": 1e-3}, "/ghost", ["lumping erases", "consistent"],
              False),
             *[(f"dynamics with analysis.{key}", {**DYNAMICS, "analysis": {**DYNAMICS["analysis"], key: value}},
