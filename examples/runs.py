@@ -1,6 +1,6 @@
 """What the tables.py of every example share: runs of the program, and tables in Markdown.
 
-Called by a script of an example's folder; its first argument is the built `shoreline`, without it the one that ./run
+Called by a script of an example's folder, or beside this one; its first argument is the built `shoreline`, without it the one that ./run
 builds.
 """
 import json
@@ -10,7 +10,8 @@ import sys
 import tempfile
 
 HERE = pathlib.Path(sys.argv[0]).resolve().parent
-PROGRAM = sys.argv[1] if len(sys.argv) > 1 else HERE.parents[1] / "build/release/engine/shoreline"
+PROJECT = pathlib.Path(__file__).resolve().parents[1]
+PROGRAM = sys.argv[1] if len(sys.argv) > 1 else PROJECT / "build/release/engine/shoreline"
 
 
 def run(case, settings, folder=None):

@@ -28,7 +28,7 @@ double bytes_of_cell(Case::BasisType basis) {
 
 /// Bytes of a run, from its sizes. The factor of an AMD-ordered plane grid has about 8 n log₂ n entries; where
 /// functions reach over p cells, the separators are p of them wide, and entries (1 + p²)/2 times as many.
-double predicted_bytes(const Scene& scene, const PointSupports& supports, double unknowns, const Case::Grid& grid) {
+double predicted_bytes(const Scene& scene, const PointSupports& supports, double unknowns, const Case& problem) {
   const double n = scene.basis->functions_per_cell();
   const double points = scene.points.size() + (scene.samples ? scene.samples->size() : 0);
   const double cells = supports.cells();
@@ -37,14 +37,16 @@ double predicted_bytes(const Scene& scene, const PointSupports& supports, double
   const double support = 3.0 * n * 8.0 + 4.0;            // value, gradient, order
   const double block = 12.0 * block_entries + 60.0 * n;  // matrix and place, functions and pattern
   const double matrix = 5.0 * n * 2.0 * 12.0;            // an unknown's column, twice
-  const double reach = grid.basis == Case::BasisType::bspline ? grid.degree : 1.0;
+  const double reach = problem.grid.basis == Case::BasisType::bspline ? problem.grid.degree : 1.0;
   const double factor = 4.0 * (1.0 + reach * reach) * 8.0 * std::log2(std::max(unknowns, 2.0));
+  // the estimate has one component, so a quarter of the matrix, of its factor and (as triplets) of its blocks
+  const double estimate = points * support + cells * 8.0 * n * (n + 1.0) + 0.25 * unknowns * (matrix + factor);
   constexpr double program = 2.2e7;
-  return program + points * (state * 2.0 + support) + cells * block + unknowns * (matrix + factor) +
-         bytes_of_cell(grid.basis) * scene.basis->grid().cells();
+  return (problem.error_estimate ? estimate : 0.0) + program + points * (state * 2.0 + support) + cells * block +
+         unknowns * (matrix + factor) + bytes_of_cell(problem.grid.basis) * scene.basis->grid().cells();
 }
 
-std::string built(const Scene& scene) {
+std::string built(const Case& problem, const Scene& scene) {
   std::string text;
   for (const auto& effect : scene.contributions) text += "  " + effect->name() + "\n";
   for (const BoundaryPiece& b : scene.boundary)
@@ -53,7 +55,7 @@ std::string built(const Scene& scene) {
   if (scene.fitted) text += "  fitted weights\n";
   if (scene.samples) text += "  sample points\n";
   for (const Probe& probe : scene.probes) text += "  probe:" + probe.name + "\n";
-  return text;
+  return text + (problem.error_estimate ? "  error estimate\n" : "");
 }
 
 std::string left_out(const Case& problem) {
@@ -71,6 +73,7 @@ std::string left_out(const Case& problem) {
   unless(problem.condition_estimate, "condition estimate", "diagnostics.condition_estimate is false");
   unless(problem.cut_fractions, "cut fractions", "diagnostics.cut_fractions is false");
   unless(problem.strain_energy, "strain energy", "diagnostics.strain_energy is false");
+  unless(problem.error_estimate, "error estimate", "diagnostics.error_estimate is false");
   unless(problem.output.pictures, "pictures", "output.pictures is false");
   return text.empty() ? "  nothing\n" : text;
 }
@@ -93,9 +96,9 @@ std::string plan(const Case& problem) {
       "  load steps          {}\n  basis               {}\n  grid                {} elements of {} {}, {} cells with "
       "material\n  material points     {}\n"
       "  unknowns            at most {}\n  predicted memory    {:.0f} MB\n",
-      problem.title, built(scene), left_out(problem), scene.load_steps, name_of(problem.grid.basis),
+      problem.title, built(problem, scene), left_out(problem), scene.load_steps, name_of(problem.grid.basis),
       grid.cells() / grid.parts(), grid.parts(), grid.parts() == 1 ? "cell" : "cells", supports.cells(),
-      scene.points.size(), unknowns, predicted_bytes(scene, supports, unknowns, problem.grid) / 1e6);
+      scene.points.size(), unknowns, predicted_bytes(scene, supports, unknowns, problem) / 1e6);
 }
 
 }  // namespace shoreline

@@ -18,6 +18,7 @@ void take_over_common(const Record& record, double total, Summary& summary) {
   summary.reactions = record.resultants.reactions;
   summary.displacement_fit = record.fit_errors;
   summary.fitted_weights = record.weights;
+  summary.error_estimate = record.error_estimate;
   summary.warnings = record.warnings;
 }
 

@@ -46,6 +46,14 @@ std::string errors_of(const ProjectionErrors& errors) {
   return text;
 }
 
+/// With an exact solution also the effectivity, the estimate over the error.
+std::string estimate_of(const ErrorEstimate& estimate, const std::optional<ErrorNorms>& errors) {
+  const bool known = errors && errors->stress_l2 > 0.0;
+  return fmt::format("\nestimated error of stress: L2 {:.3e} Pa m, relative {}{}\n", estimate.stress_l2,
+                     number(estimate.stress_l2_relative),
+                     known ? fmt::format("; {:.3g} times the error", estimate.stress_l2 / errors->stress_l2) : "");
+}
+
 std::string fits_of(const Summary& summary) {
   std::string text = "\nprescribed displacements, error of the fit\n";
   for (const auto& [piece, error] : summary.displacement_fit)
@@ -132,6 +140,7 @@ std::string report(const Summary& summary, const std::filesystem::path& output) 
   if (summary.dynamics) text += dynamics_of(*summary.dynamics);
   if (!summary.history.empty()) text += energies_of(summary.history);
   if (summary.errors) text += "\n" + errors_of(*summary.errors);
+  if (summary.error_estimate) text += estimate_of(*summary.error_estimate, summary.errors);
   if (summary.projection_errors) text += "\n" + errors_of(*summary.projection_errors);
   text += fits_of(summary) + probes_of(summary) + "\n" + timings_of(summary);
   if (summary.condition_estimate) text += fmt::format("\ncondition estimate: {:.2e}\n", *summary.condition_estimate);

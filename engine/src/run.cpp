@@ -10,6 +10,7 @@
 #include "projection_run.hpp"
 #include "record_in_summary.hpp"
 #include "saved_step.hpp"
+#include "shoreline/engine/error_estimate.hpp"
 #include "shoreline/engine/failures.hpp"
 #include "shoreline/engine/linear_solver.hpp"
 #include "shoreline/engine/pictures.hpp"
@@ -69,8 +70,11 @@ class Saving {
 
  private:
   void save(int step) {
-    record_.phases.time(
-        "output", [&] { writer_.write(saved_step(scene_, step, static_cast<double>(step) / scene_.load_steps)); });
+    record_.phases.time("output", [&] {
+      SavedStep saved = saved_step(scene_, step, static_cast<double>(step) / scene_.load_steps);
+      if (record_.error_estimate) saved.stress_error_estimate = record_.error_estimate->stress_at_point;
+      writer_.write(saved);
+    });
     last_ = step;
     save_probes();
   }
@@ -115,6 +119,9 @@ Summary run(const Case& problem, const RunOptions& options) {
   Saving saving(problem, options.output, scene, record);
   Progress progress(options.quiet);
   const auto after_step = [&](int step) {
+    if (problem.error_estimate && step == scene.load_steps)
+      record.error_estimate =
+          record.phases.time("estimate", [&] { return error_estimate(*scene.basis, scene.points); });
     saving.after_step(step);
     if (step < scene.load_steps) progress.begin(step + 1, scene.load_steps);
   };

@@ -77,6 +77,7 @@ TEST_CASE("what a case leaves out has the default of the table", "[engine][case_
   CHECK(problem.output.pictures);
   CHECK_FALSE(problem.condition_estimate);
   CHECK_FALSE(problem.cut_fractions);
+  CHECK_FALSE(problem.error_estimate);
   CHECK_FALSE(problem.material.density.has_value());
   CHECK_FALSE(problem.body_force.has_value());
   CHECK_FALSE(problem.gravity.has_value());
@@ -273,7 +274,7 @@ TEST_CASE("a grid of more cells than a machine holds is refused with their numbe
 TEST_CASE("schema and reference page name every key that a case may have", "[engine][case_reader]") {
   const std::string key =
       GENERATE("title", "plane", "youngs_modulus", "cell_size", "corners", "band", "hole", "per_cell", "gravity",
-               "ghost", "displacement", "condition_estimate", "cut_fractions", "pictures", "load", "normal", "across",
+               "ghost", "displacement", "condition_estimate", "cut_fractions", "error_estimate", "pictures", "load", "normal", "across",
                "centre", "far_field_stress", "inner_radius", "probes", "position", "respace", "per_block", "seed",
                "samples", "strain_energy");
   CHECK_THAT(case_schema(), Contains("\"" + key + "\""));

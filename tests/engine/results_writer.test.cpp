@@ -245,7 +245,8 @@ TEST_CASE("results.xdmf knows every step once the writer is gone", "[engine][res
 
 TEST_CASE("a new run removes the results of the old one", "[engine][results]") {
   const OutputFolder folder;
-  for (const char* name : {"summary.json", "results.xdmf", "deformed.png", "field.png", "history.png"})
+  for (const char* name :
+       {"summary.json", "results.xdmf", "deformed.png", "field.png", "history.png", "error_estimate.png"})
     std::ofstream(folder.path / name) << "old";
   ResultsWriter(folder.path, "old", grid).write(step(3));
   const ResultsWriter writer(folder.path, "new", grid);

@@ -33,7 +33,7 @@ CASE = {
     "probes": [{"name": "tip", "position": [1, 0]}, {"name": "root", "position": [-1, 0]}],
     "tracking": {"respace": 4.0},
     "solver": {"threads": 1},
-    "diagnostics": {"condition_estimate": True, "cut_fractions": False, "strain_energy": True},
+    "diagnostics": {"condition_estimate": True, "cut_fractions": False, "strain_energy": True, "error_estimate": True},
     "output": {"every": 1, "pictures": False},
 }
 
@@ -96,6 +96,7 @@ DYNAMICS = {
     "history": {"every": 10},
     "probes": [{"name": "tip", "position": [1, 1]}],
     "solver": {"threads": 1},
+    "diagnostics": {"error_estimate": True},
     "output": {"every": 100, "pictures": False},
 }
 
@@ -114,7 +115,7 @@ OTHERS = [("grid", {"cells": "triangle", "basis": "linear", "pattern": "four", "
 
 OPTIONAL = {"title", "load_steps", "load", "loading", "density", "cells", "basis", "degree", "pattern", "corners", "condition", "method", "band",
             "fill", "volumes", "body_force", "gravity", "ghost", "constants", "exact", "samples", "strain_energy", "probes", "tracking", "respace",
-            "centre", "seed", "solver", "threads", "diagnostics", "condition_estimate", "cut_fractions", "output", "every", "pictures", "hole", "p",
+            "centre", "seed", "solver", "threads", "diagnostics", "condition_estimate", "cut_fractions", "error_estimate", "output", "every", "pictures", "hole", "p",
             "gradient", "mass"}
 OPTIONAL_IN_DYNAMICS = {"time_step", "safety", "transfer", "damping", "leaving", "boundaries", "initial_velocity",
                         "history"}
@@ -289,6 +290,7 @@ def wrong_values():
         ("diagnostics/condition_estimate", 1, "true or false", True),
         ("diagnostics/cut_fractions", "yes", "true or false", True),
         ("diagnostics/strain_energy", "J", "true or false", True),
+        ("diagnostics/error_estimate", 1e-3, "true or false", True),
         ("output/every", 0, "from 1", True),
         ("output/pictures", "no", "true or false", True),
     ]
@@ -487,6 +489,7 @@ def wrong_dynamics():
         ("history", 10, "an object", True),
         ("history/every", 0, "from 1", True),
         ("history/every", 1.5, "whole number", True),
+        ("diagnostics/error_estimate", "yes", "true or false", True),
         ("output/every", 0, "from 1", True),
     ]
     for path, value, words, structural in table:
@@ -528,7 +531,9 @@ def wrong_dynamics():
             ("a point outside the grid", {**unbounded, "material_points": {**listed, "points": [[0.5, 0.5], [9, 9]]}},
              "/material_points", ["point 1 at (9, 9)", "outside the grid"], False),
             *[(f"dynamics with {key}", {**DYNAMICS, key: CASE[key]}, f"/{key}", ["expected none", '"explicit_dynamics"'],
-               True) for key in ("tracking", "diagnostics", "samples")],
+               True) for key in ("tracking", "samples")],
+            ("dynamics with a condition estimate", {**DYNAMICS, "diagnostics": {"condition_estimate": True}},
+             "/diagnostics", ['unknown key "condition_estimate"'], True),
             ("a ghost mass beside a lumped mass", {**DYNAMICS, "ghost": 1e-3}, "/ghost", ["lumping erases", "consistent"],
              False),
             *[(f"dynamics with analysis.{key}", {**DYNAMICS, "analysis": {**DYNAMICS["analysis"], key: value}},

@@ -168,6 +168,7 @@ void read_load_steps(const Node& root, const Constants& constants, Case& problem
   problem.condition_estimate = root["diagnostics"]["condition_estimate"].as<bool>();
   problem.cut_fractions = root["diagnostics"]["cut_fractions"].as<bool>();
   problem.strain_energy = root["diagnostics"]["strain_energy"].as<bool>();
+  problem.error_estimate = root["diagnostics"]["error_estimate"].as<bool>();
   problem.output.every = root["output"]["every"].as<int>();
 }
 

@@ -108,6 +108,7 @@ void read_dynamics(const Node& root, const Constants& constants, Case& problem) 
   if (root.has("exact")) problem.exact = read_exact(root, constants, problem);
   if (root.has("history")) problem.history = root["history"]["every"].as<int>();
   if (root.has("probes")) problem.probes = read_probes(root["probes"]);
+  problem.error_estimate = root["diagnostics"]["error_estimate"].as<bool>();
   problem.output.every = root["output"].has("every") ? root["output"]["every"].as<int>() : 0;
 }
 

@@ -115,13 +115,19 @@ Schema solver() {
   return {Object{{key("threads", {Integer{0, 1024}}, otherwise(Case{}.threads), "", "0: all cores")}, {}}};
 }
 
+Key error_estimate() {
+  return key("error_estimate", {Boolean{}}, otherwise(Case{}.error_estimate), "",
+             "estimate the error of the stress at the end from the run alone, by recovery");
+}
+
 Schema diagnostics() {
   return {Object{{key("condition_estimate", {Boolean{}}, otherwise(Case{}.condition_estimate), "",
                       "estimate the condition number of the scaled system; a warning above 1e14"),
                   key("cut_fractions", {Boolean{}}, otherwise(Case{}.cut_fractions), "",
                       "tell where the system is weak: the smallest cut cell, the smallest pivot, stray points"),
                   key("strain_energy", {Boolean{}}, otherwise(Case{}.strain_energy), "",
-                      "the energy that the body stores at the end")},
+                      "the energy that the body stores at the end"),
+                  error_estimate()},
                  {}}};
 }
 
@@ -214,6 +220,7 @@ Object dynamic_case() {
        key("probes", list(probe(), 1, 100000), optional, "",
            "history of the material point or tracking point nearest to a place"),
        settings("solver", solver(), "how systems are solved"),
+       settings("diagnostics", Schema{Object{{error_estimate()}, {}}}, "measured only where asked for"),
        settings("output", output_of_time_steps(), "what is written")},
       {}};
 }

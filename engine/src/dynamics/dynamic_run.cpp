@@ -9,6 +9,7 @@
 #include "../record_in_summary.hpp"
 #include "../saved_step.hpp"
 #include "shoreline/engine/dynamics.hpp"
+#include "shoreline/engine/error_estimate.hpp"
 #include "shoreline/engine/error_norms.hpp"
 #include "shoreline/engine/failures.hpp"
 #include "shoreline/engine/pictures.hpp"
@@ -49,6 +50,7 @@ class DynamicSaving {
       saved.strain.row(1) = d.row(3).array() - 1.0;
       saved.strain.row(2) = d.row(1) + d.row(2);
       saved.velocity = scene_.motion.velocity;
+      if (record_.error_estimate) saved.stress_error_estimate = record_.error_estimate->stress_at_point;
       writer_.write(saved);
       writer_.append(scene_.body.probes);
       writer_.append(record_.history);
@@ -144,6 +146,10 @@ Summary run_dynamics(const Case& problem, const RunOptions& options, int threads
                              .wanted = [&](int step, double t) { return saves = saving->wanted(step, t); },
                              .after_step =
                                  [&](int, double t) {
+                                   if (problem.error_estimate && t >= scene.settings.end_time)
+                                     record.error_estimate = record.phases.time("estimate", [&] {
+                                       return error_estimate(*scene.body.basis, scene.body.points);
+                                     });
                                    if (saves) saving->save();
                                    progress.reach(t, scene.settings.end_time);
                                  }};
@@ -190,6 +196,7 @@ std::string plan_dynamics(const Case& problem) {
   effect(scene.settings.damping > 0.0, "damping", "analysis.damping is 0");
   effect(problem.history.has_value(), "history", "no key history");
   effect(problem.exact.has_value(), "errors", "no key exact");
+  effect(problem.error_estimate, "error estimate", "diagnostics.error_estimate is false");
   for (const auto& load : scene.body.contributions) effects += "  " + load->name() + "\n";
   for (const BoundaryPiece& b : scene.body.boundary)
     if (std::holds_alternative<Essential>(b.condition)) effects += "  grid:" + b.piece.name + "\n";

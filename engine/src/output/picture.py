@@ -1,11 +1,13 @@
 """Draws results.h5: deformed.png, the body at its last saved step, coloured by a stress and by displacement; or field.png,
-a projected field and its error. Of a dynamic run history.png, too, as picture_history.py says."""
+a projected field and its error. Of a dynamic run history.png, too, as picture_history.py says; error_estimate.png, the
+estimated error of the stress, where the last step holds it."""
 
 try:
     import h5py
 except ImportError:
     sys.exit(77)
 from matplotlib.collections import LineCollection
+from matplotlib.colors import LogNorm
 from matplotlib.path import Path
 
 MOST_DRAWN_POINTS = 200_000  # more of them are drawn as their means in square bins
@@ -99,6 +101,8 @@ class Body:
 
     def read_points(self, points):
         displacement, stress = points["displacement"][:, :2], points["stress"][:]
+        if "stress_error_estimate" in points:  # goes with the stress into a fifth column
+            stress = np.column_stack([stress, points["stress_error_estimate"][:]])
         origin = points["position"][:, :2] - displacement
         sound = np.isfinite(origin + displacement).all(axis=1) & np.isfinite(stress).all(axis=1)
         if not sound.any():
@@ -193,7 +197,7 @@ def two_panels(width, height, title):
 def draw_body(folder, title, body):
     figure, panels = two_panels(*np.subtract(*reversed(body.bounds())), f"{title}\n{body.caption}")
 
-    component = most_telling(body.stress)
+    component = most_telling(body.stress[:, :4])
     stress, unit = in_readable_unit(body.stress[:, component], "Pa")
     distance, unit_of_distance = in_readable_unit(np.linalg.norm(body.displacement, axis=1), "m")
     drawn = [draw(panels[0], body, stress, f"{STRESS_NAMES[component]} [{unit}]"),
@@ -202,6 +206,20 @@ def draw_body(folder, title, body):
     for squares in drawn:
         fit_squares(squares, body)
     save(figure, folder, "deformed.png")
+
+
+def draw_estimate(folder, title, body):
+    """The estimated error of the stress at the points, in a logarithmic scale."""
+    figure, axes = plt.subplots(figsize=(7.5, 6), dpi=130, layout="constrained")
+    figure.suptitle(f"{title}\n{body.caption}".replace("$", r"\$"))
+    error, unit = in_readable_unit(body.stress[:, 4], "Pa")
+    most = np.percentile(error, 99.5) or 1.0
+    least = np.clip(np.percentile(error, 0.5), 1e-4 * most, 0.5 * most)
+    squares = draw(axes, body, np.clip(error, least, most), f"estimated error of stress |σ* − σ| [{unit}]")
+    squares.set_norm(LogNorm(least, most))
+    figure.draw_without_rendering()
+    fit_squares(squares, body)
+    save(figure, folder, "error_estimate.png")
 
 
 def draw_field(folder, title, file):
@@ -229,7 +247,10 @@ def picture(folder):
         if "field" in file:
             draw_field(folder, title, file)
         else:
-            draw_body(folder, title, Body(file))
+            body = Body(file)
+            draw_body(folder, title, body)
+            if body.stress.shape[1] > 4:
+                draw_estimate(folder, title, body)
         if is_dynamic(file):
             draw_history(folder, title, file)
 

@@ -47,7 +47,8 @@ void make_folder(const std::filesystem::path& folder) {
 }
 
 void remove_old(const std::filesystem::path& folder) {
-  for (const char* name : {"summary.json", "results.xdmf", "deformed.png", "field.png", "history.png"}) {
+  for (const char* name :
+       {"summary.json", "results.xdmf", "deformed.png", "field.png", "history.png", "error_estimate.png"}) {
     std::error_code problem;
     std::filesystem::remove(folder / name, problem);
     if (problem) throw OutputError((folder / name).string() + ": cannot remove: " + problem.message());
@@ -69,6 +70,8 @@ void write_points(Hdf5File& file, const SavedStep& step) {
   file.write_rows(points + "strain", step.strain, "1");
   file.set_attribute(points + "strain", "components", "xx yy xy (engineering)");
   file.write_numbers(points + "volume", step.volume, "m^2");
+  if (step.stress_error_estimate)
+    file.write_numbers(points + "stress_error_estimate", *step.stress_error_estimate, "Pa");
   if (step.velocity) file.write_rows(points + "velocity", in_space(*step.velocity), "m/s");
   write_cells(file, vertices_table(step.volume.size()), step.volume.size(), false);
 }
@@ -131,7 +134,7 @@ std::uintmax_t bytes_of(std::size_t rows, std::size_t width) { return 65536 + ro
 
 /// At least what a step takes in the file, with HDF5's own records.
 std::uintmax_t bytes_of(const SavedStep& step) {
-  Eigen::Index numbers = (step.velocity ? 18 : 15) * step.volume.size();
+  Eigen::Index numbers = (15 + (step.velocity ? 3 : 0) + (step.stress_error_estimate ? 1 : 0)) * step.volume.size();
   for (const SavedStep::Curve& curve : step.curves) numbers += 3 * curve.points.cols() + 4 * curve.polyline.cols();
   const std::size_t records = 65536 + 8192 * step.curves.size();
   return static_cast<std::uintmax_t>(numbers) * sizeof(double) + records;

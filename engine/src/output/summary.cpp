@@ -57,6 +57,10 @@ Json projection_errors(const ProjectionErrors& errors) {
   return {{"projection", json}};
 }
 
+Json error_estimate(const ErrorEstimate& estimate) {
+  return {{"stress", {{"l2", estimate.stress_l2}, {"l2_relative", number_or_null(estimate.stress_l2_relative)}}}};
+}
+
 Json resultants(const std::map<std::string, Vec3>& of_pieces) {
   Json json = Json::object();
   for (const auto& [name, resultant] : of_pieces) json[name] = {resultant[0], resultant[1], resultant[2]};
@@ -173,6 +177,7 @@ void write_summary(const Summary& summary, const std::filesystem::path& folder) 
                {"threads", summary.threads},
                {"version", version()}});
   if (summary.errors) json["errors"] = error_norms(*summary.errors);
+  if (summary.error_estimate) json["error_estimate"] = error_estimate(*summary.error_estimate);
   if (summary.projection_errors) json["errors"] = projection_errors(*summary.projection_errors);
   if (summary.analysis != "projection") add_loads(summary, json);
   if (summary.dynamics) json["dynamics"] = dynamics(*summary.dynamics);

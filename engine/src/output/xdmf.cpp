@@ -82,10 +82,14 @@ std::string point_grid(const SavedStep& step) {
   const std::string points = step_group(step) + "/points/";
   const std::string velocity =
       step.velocity ? attribute("velocity", "Vector", points + "velocity", fmt::format("{} 3", n)) + "\n" : "";
+  const std::string estimate =
+      step.stress_error_estimate
+          ? attribute("stress_error_estimate", "Scalar", points + "stress_error_estimate", fmt::format("{}", n)) + "\n"
+          : "";
   return "<Grid Name=\"material points\" GridType=\"Uniform\">" + time(step) + "\n" +
          cells("Polyvertex", n, 1, vertices_table(n)) + "\n" + geometry(points + "position", n) + "\n" +
          attribute("displacement", "Vector", points + "displacement", fmt::format("{} 3", n)) + "\n" + velocity +
-         attribute("stress (xx, yy, xy, zz)", "Matrix", points + "stress", fmt::format("{} 4", n)) + "\n" +
+         estimate + attribute("stress (xx, yy, xy, zz)", "Matrix", points + "stress", fmt::format("{} 4", n)) + "\n" +
          attribute("strain (xx, yy, xy)", "Matrix", points + "strain", fmt::format("{} 3", n)) + "\n" +
          attribute("volume", "Scalar", points + "volume", fmt::format("{}", n)) + "\n</Grid>\n";
 }

@@ -9,7 +9,7 @@ namespace {
 void collect(const Json& value, const std::string& name, std::map<std::string, double>& norms) {
   if (value.is_number_float() || value.is_number_integer()) norms[name] = value;
   if (!value.is_structured()) return;
-  for (const auto& [key, entry] : value.items()) collect(entry, name.empty() ? key : name + "." + key, norms);
+  for (const auto& [key, entry] : value.items()) collect(entry, name + "." + key, norms);
 }
 
 }  // namespace
@@ -33,7 +33,9 @@ Json quantities_of(const Json& summary, const std::filesystem::path& folder) {
 std::map<std::string, double> norms_of(const Json& summary) {
   std::map<std::string, double> norms;
   if (!summary.is_object()) return norms;
-  collect(summary.value("errors", Json::object()), "", norms);
+  const Json errors = summary.value("errors", Json::object());
+  for (const auto& [field, of_field] : errors.items())
+    if (of_field.is_object()) collect(of_field, field, norms);
   if (summary.contains("error_estimate")) collect(summary["error_estimate"], "error_estimate", norms);
   return norms;
 }

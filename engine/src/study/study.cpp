@@ -71,8 +71,9 @@ std::vector<std::string> usual_norms(const std::vector<StudyRow>& rows) {
 std::string device_of(const std::vector<StudyRow>& rows) {
   for (const StudyRow& row : rows) {
     if (!row.result.completed || !row.result.summary.contains("errors")) continue;
-    if (const Json& json = row.result.summary["errors"]; json.contains("sample_points"))
-      return fmt::format("errors at {} sample points, the same in every run", json["sample_points"].dump());
+    const Json& errors = row.result.summary["errors"];
+    if (errors.value("measured_at", "") == "sample points")
+      return fmt::format("errors at {} sample points, the same in every run", errors["points"].dump());
     return "errors at each run's own points";
   }
   return "no exact solution";

@@ -144,6 +144,7 @@ struct Case {
   bool condition_estimate = false;
   bool cut_fractions = false;  ///< and what else tells where the system is weak
   bool strain_energy = false;  ///< (E.6)
+  bool error_estimate = false;  ///< of the stress at the end
   Output output;
 };
 

@@ -62,6 +62,8 @@ struct DynamicRecord {
   std::optional<WeightReport> weights{};  ///< of all fits; with fitted weights alone
   long critical_step_iterations = 0;      ///< products K w
   long mass_iterations = 0;               ///< of conjugate gradients
+  /// Of the stress at the end, where asked for.
+  std::optional<ErrorEstimate> error_estimate{};
 };
 
 struct DynamicOptions {

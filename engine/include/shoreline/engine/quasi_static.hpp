@@ -7,6 +7,7 @@
 #include "shoreline/boundary/displacement_fit.hpp"
 #include "shoreline/engine/clock.hpp"
 #include "shoreline/engine/diagnostics.hpp"
+#include "shoreline/engine/results.hpp"
 #include "shoreline/engine/scene.hpp"
 #include "shoreline/engine/weight_report.hpp"
 
@@ -29,6 +30,8 @@ struct RunRecord {
   double largest_increment = 0.0;  ///< max |Δd| of the last step [m]
   long factorisations = 0;
   long analyses = 0;
+  /// Of the stress at the end, where asked for.
+  std::optional<ErrorEstimate> error_estimate{};
 };
 
 struct QuasiStaticOptions {

@@ -30,7 +30,8 @@ struct SavedStep {
     Eigen::Matrix2Xd polyline;  ///< (2, m) the spline, sampled for drawing [m]
   };
   std::vector<Curve> curves;
-  std::optional<Eigen::Matrix2Xd> velocity{};  ///< (2, points) [m/s]; dynamics alone
+  std::optional<Eigen::Matrix2Xd> velocity{};              ///< (2, points) [m/s]; dynamics alone
+  std::optional<Eigen::VectorXd> stress_error_estimate{};  ///< (points) |σ* − σ| [Pa]; last step, where asked for
 };
 
 /// Energies and momentum of the body at one time, per metre of thickness; dynamics alone.
@@ -91,6 +92,13 @@ struct ErrorNorms {
   std::vector<OverTime> over_time;                         ///< dynamics alone
 };
 
+/// The error of the stress as recovery estimates it, (Z.2), (Z.3), over the components xx, yy, xy.
+struct ErrorEstimate {
+  double stress_l2 = 0.0;                    ///< η, the norm of ErrorNorms::stress_l2 [Pa m]
+  std::optional<double> stress_l2_relative;  ///< over the norm of the recovered stress; missing where that vanishes
+  Eigen::VectorXd stress_at_point;           ///< (points) |σ* − σ| [Pa]
+};
+
 /// Everything in summary.json.
 struct Summary {
   std::string title;
@@ -128,6 +136,7 @@ struct Summary {
   std::optional<Dynamics> dynamics;
   std::vector<HistoryState> history;  ///< from the start on; dynamics alone
   std::optional<ErrorNorms> errors;
+  std::optional<ErrorEstimate> error_estimate{};
   std::optional<ProjectionErrors> projection_errors;
   std::vector<std::pair<std::string, double>> timings;  ///< [s], in the order in which the phases first ran
   std::map<std::string, Vec3> reactions;                ///< Fx, Fy, M about the origin, per metre of thickness

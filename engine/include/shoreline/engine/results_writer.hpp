@@ -20,6 +20,7 @@ namespace shoreline {
 ///       points/strain                 (n, 3) xx, yy, xy (engineering) [1]
 ///       points/volume                 (n) [m^2], m³ per metre of thickness
 ///       points/velocity               (n, 3) [m/s], z = 0; dynamics alone
+///       points/stress_error_estimate  (n) |σ* − σ| [Pa], (Z.2); of the last step, where asked for
 ///       curves/NAME/points            (k, 3) tracking points [m]
 ///       curves/NAME/polyline          (m, 3) the spline, sampled [m]
 ///     probes/NAME/t                   (steps + 1), whatever steps are saved above; [s] in dynamics
