@@ -36,17 +36,15 @@ def norm_title(name):
     """The name of a norm as one reads it: displacement, relative L2 error; probe tip: displacement."""
     head, _, rest = name.partition(".")
     middle, _, last = rest.rpartition(".")
-    if head in ("probe", "boundary") and middle and last in QUANTITIES:
-        return f"{head} {middle}: {QUANTITIES[last]}"
     if head == "error_estimate":
         return f"{norm_title(rest)}, estimated"
-    if head == "over_time" and last in NORMS:
-        return f"{middle}, {NORMS[last]}"
-    if head in COMPONENTS and rest in NORMS:
-        return f"{head}, {NORMS[rest]}"
     if head in COMPONENTS and middle in NORMS and last.isdigit() and int(last) < len(COMPONENTS[head]):
         return f"{head} {COMPONENTS[head][int(last)]}, {NORMS[middle]}"
-    return f"{head} {rest}" if head in ("curve", "reaction") else name.replace("_", " ").replace(".", ", ")
+    if last in NORMS:
+        return f"{middle if head == 'over_time' else f'{head} {middle}'.strip()}, {NORMS[last]}"
+    if head in ("probe", "boundary") and middle and last in QUANTITIES:
+        return f"{head} {middle}: {QUANTITIES[last]}"
+    return f"{head} {rest}".strip()
 
 
 def number(row, *keys):
@@ -129,7 +127,8 @@ class Study:
         self.groups = look_groups(axes)
         for group in self.groups:
             group.give_looks(self.lines, axes)
-        self.others = [Line(name, rows) for name, rows in by_key(self.content["outside"], lambda row: row["line"]).items()]
+        outside = by_key(self.content["outside"], lambda row: row["line"])
+        self.others = [Line(name, rows) for name, rows in outside.items()]
         for k, line in enumerate(self.others):
             line.look = {"color": "black", "linestyle": DASHES[1], "markersize": 7,
                          "markeredgecolor": "black", "marker": OTHER_MARKERS[k % len(OTHER_MARKERS)]}
