@@ -139,7 +139,7 @@ TEST_CASE("errors over a refinement that is no number are not drawn, nor is what
   CHECK(is_picture(folder.path / "memory.png"));
 }
 
-TEST_CASE("bars are one a line, and no more than thirty, those of the least error", "[engine][pictures][study]") {
+TEST_CASE("bars are one a line, and no more than thirty", "[engine][pictures][study]") {
   const OutputFolder folder;
   const auto height = [&](int lines) {
     Json rows = Json::array();
