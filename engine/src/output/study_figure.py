@@ -1,7 +1,5 @@
 # A figure with panels of lines on logarithmic axes, guides to read their slopes by, and its legends below.
 
-import textwrap
-
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullLocator
 

@@ -2,6 +2,7 @@
 
 import json
 import math
+import textwrap
 
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#7A4B2A", "#7B3FA0"]
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<", ">", "p"]
@@ -106,6 +107,12 @@ def by_key(rows, key):
     return groups
 
 
+def why_nothing_ran(rows):
+    if not rows:
+        return "study.json holds no run"
+    return f"all {len(rows)} runs of the study failed, the first with: {textwrap.shorten(rows[0]['reason'] or '', 300)}"
+
+
 class Study:
     """What study.json holds, with its lines and the looks by which they are told apart."""
 
@@ -115,26 +122,27 @@ class Study:
         self.rows, self.norms = self.content["rows"], self.content["errors"]
         completed = [row for row in self.rows if row["status"] == "completed"]
         if not completed:
-            first = " ".join(self.rows[0].get("reason", "").split()) if self.rows else ""
-            sys.exit(f"all {len(self.rows)} runs of the study failed, the first with: {first}" if self.rows
-                     else "study.json holds no run")
+            sys.exit(why_nothing_ran(self.rows))
         self.refines = any(number(row, "refinement") for row in completed)
         axes = [axis for axis in self.content["axes"] if not (self.refines and axis["name"] == self.content["refine"])
                 and len({text_of(row["labels"].get(axis["name"])) for row in completed}) > 1]
-        self.lines = [Line(key[0] if self.refines else ", ".join(key[1:]) or key[0], rows) for key, rows in
-                      by_key(completed, lambda row: (row["line"], *(text_of(row["labels"].get(axis["name"]))
-                                                                    for axis in axes))).items()]
+        self.lines = self.lines_along(axes, completed)
         self.groups = look_groups(axes)
         for group in self.groups:
             group.give_looks(self.lines, axes)
-        outside = by_key(self.content["outside"], lambda row: row["line"])
-        self.others = [Line(name, rows) for name, rows in outside.items()]
+        self.others = [Line(name, rows) for name, rows in by_key(self.content["outside"], lambda r: r["line"]).items()]
         for k, line in enumerate(self.others):
             line.look = {"color": "black", "linestyle": DASHES[1], "markersize": 7,
                          "markeredgecolor": "black", "marker": OTHER_MARKERS[k % len(OTHER_MARKERS)]}
 
+    def lines_along(self, axes, rows):
+        """Lines of the runs that agree in all these axes; each run is one where refinement is no number."""
+        labels = [axis["name"] for axis in axes]
+        runs = by_key(rows, lambda row: (row["line"], *(text_of(row["labels"].get(name)) for name in labels)))
+        return [Line(key[0] if self.refines else ", ".join(key[1:]) or key[0], of_line) for key, of_line in runs.items()]
+
     def caption(self):
-        """What ran where, in one line; and what the errors were measured on."""
+        """What ran where, in one line."""
         threads = sorted({row["threads"] for row in self.rows if row.get("threads")})
         used = " or ".join(map(str, threads)) + (" thread" if threads == [1] else " threads")
         failed = sum(row["status"] != "completed" for row in self.rows)
