@@ -139,7 +139,7 @@ class Study:
         """Lines of the runs that agree in all these axes; each run is one where refinement is no number."""
         labels = [axis["name"] for axis in axes]
         runs = by_key(rows, lambda row: (row["line"], *(text_of(row["labels"].get(name)) for name in labels)))
-        return [Line(key[0] if self.refines else ", ".join(key[1:]) or key[0], of_line) for key, of_line in runs.items()]
+        return [Line(key[0] if self.refines else ", ".join(key[1:]) or key[0], group) for key, group in runs.items()]
 
     def caption(self):
         """What ran where, in one line."""
