@@ -44,7 +44,7 @@ Json failed(Json row, const std::string& reason) {
 }
 
 Json study(const Json& rows) {
-  return {{"title", "100 % of {it} for $1, or $2"},
+  return {{"title", "100 % of {it} for $1_^, or $2"},
           {"program", "shoreline"},
           {"machine", "a machine, 2 cores"},
           {"device", "errors at 31,000 sample points"},
@@ -94,14 +94,14 @@ TEST_CASE("a study has four pictures, be it of one run or of lines with gaps, ot
   const OutputFolder folder;
   Json with_all = study(both_bases());
   with_all["rows"][4] = failed(with_all["rows"][4], "out of memory");
-  with_all["outside"] = {{{"line", "a $ program"},
-                          {"points", 1},
-                          {"unknowns", 1},
-                          {"refinement", nullptr},
-                          {"seconds", {{"median", 0.1}}},
-                          {"errors", {{"stress.l2_relative", 0.1}}}}};
+  with_all["outside"].push_back({{"line", "a $ program"},
+                                 {"points", 1},
+                                 {"unknowns", 1},
+                                 {"refinement", nullptr},
+                                 {"seconds", {{"median", 0.1}}},
+                                 {"errors", {{"stress.l2_relative", 0.1}}}});
   with_all["tolerance"] = {{"norm", "stress.l2_relative"}, {"value", 0.07}, {"chosen", 3}};
-  for (const Json& content : {with_all, study({run("bspline 2", 2.0, 0.25)})}) {
+  for (const Json& content : {with_all, study(Json::array({run("bspline 2", 2.0, 0.25)}))}) {
     for (const char* name : pictures) std::filesystem::remove(folder.path / name);
     REQUIRE(drawn(folder.path, content) == "");
     for (const char* name : pictures) {
@@ -139,7 +139,7 @@ TEST_CASE("errors over a refinement that is no number are not drawn, nor is what
   CHECK(is_picture(folder.path / "memory.png"));
 }
 
-TEST_CASE("bars are one a line, and no more than thirty, those of the least error", "[engine][pictures][study]") {
+TEST_CASE("bars are one a line, and no more than thirty", "[engine][pictures][study]") {
   const OutputFolder folder;
   const auto height = [&](int lines) {
     Json rows = Json::array();
@@ -148,9 +148,8 @@ TEST_CASE("bars are one a line, and no more than thirty, those of the least erro
     REQUIRE(drawn(folder.path, study(rows)) == "");
     return size_of(folder.path / "phases.png")[1];
   };
-  const int of_10 = height(10), of_20 = height(20), of_30 = height(30);
-  CHECK(of_20 - of_10 > 200);
-  CHECK(std::abs(of_30 - 2 * of_20 + of_10) <= 2);
+  const int of_30 = height(30);
+  CHECK(of_30 - height(10) > 400);
   CHECK(height(33) == of_30);
 }
 

@@ -1,7 +1,5 @@
 # A figure with panels of lines on logarithmic axes, guides to read their slopes by, and its legends below.
 
-import textwrap
-
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullLocator
 
@@ -132,8 +130,9 @@ class Figure:
             axis.tick_params(labelsize=9)
         for unused in list(axes.flat)[panels:]:
             unused.remove()
-        caption = "\n".join(textwrap.fill(note, 135) for note in (study.caption(), *notes) if note)
-        self.title, self.caption = textwrap.fill(study.content["title"], 85), caption
+        notes = " · ".join(note for note in notes if note)
+        self.title = textwrap.fill(study.content["title"], 105)
+        self.caption = "\n".join(textwrap.fill(line, 160) for line in (study.caption(), notes) if line)
         self.legends, self.after_layout = [], []
 
     def legend(self, title, entries, columns=1):

@@ -2,6 +2,7 @@
 
 import json
 import math
+import textwrap
 
 COLOURS = ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#7A4B2A", "#7B3FA0"]
 MARKERS = ["o", "s", "^", "D", "v", "P", "X", "<", ">", "p"]
@@ -36,17 +37,15 @@ def norm_title(name):
     """The name of a norm as one reads it: displacement, relative L2 error; probe tip: displacement."""
     head, _, rest = name.partition(".")
     middle, _, last = rest.rpartition(".")
-    if head in ("probe", "boundary") and middle and last in QUANTITIES:
-        return f"{head} {middle}: {QUANTITIES[last]}"
     if head == "error_estimate":
         return f"{norm_title(rest)}, estimated"
-    if head == "over_time" and last in NORMS:
-        return f"{middle}, {NORMS[last]}"
-    if head in COMPONENTS and rest in NORMS:
-        return f"{head}, {NORMS[rest]}"
     if head in COMPONENTS and middle in NORMS and last.isdigit() and int(last) < len(COMPONENTS[head]):
         return f"{head} {COMPONENTS[head][int(last)]}, {NORMS[middle]}"
-    return f"{head} {rest}" if head in ("curve", "reaction") else name.replace("_", " ").replace(".", ", ")
+    if last in NORMS:
+        return f"{middle if head == 'over_time' else f'{head} {middle}'.strip()}, {NORMS[last]}"
+    if head in ("probe", "boundary") and middle and last in QUANTITIES:
+        return f"{head} {middle}: {QUANTITIES[last]}"
+    return f"{head} {rest}".strip()
 
 
 def number(row, *keys):
@@ -108,6 +107,12 @@ def by_key(rows, key):
     return groups
 
 
+def why_nothing_ran(rows):
+    if not rows:
+        return "study.json holds no run"
+    return f"all {len(rows)} runs of the study failed, the first with: {textwrap.shorten(rows[0]['reason'] or '', 300)}"
+
+
 class Study:
     """What study.json holds, with its lines and the looks by which they are told apart."""
 
@@ -117,25 +122,27 @@ class Study:
         self.rows, self.norms = self.content["rows"], self.content["errors"]
         completed = [row for row in self.rows if row["status"] == "completed"]
         if not completed:
-            first = " ".join(self.rows[0].get("reason", "").split()) if self.rows else ""
-            sys.exit(f"all {len(self.rows)} runs of the study failed, the first with: {first}" if self.rows
-                     else "study.json holds no run")
+            sys.exit(why_nothing_ran(self.rows))
         self.refines = any(number(row, "refinement") for row in completed)
         axes = [axis for axis in self.content["axes"] if not (self.refines and axis["name"] == self.content["refine"])
                 and len({text_of(row["labels"].get(axis["name"])) for row in completed}) > 1]
-        self.lines = [Line(key[0] if self.refines else ", ".join(key[1:]) or key[0], rows) for key, rows in
-                      by_key(completed, lambda row: (row["line"], *(text_of(row["labels"].get(axis["name"]))
-                                                                    for axis in axes))).items()]
+        self.lines = self.lines_along(axes, completed)
         self.groups = look_groups(axes)
         for group in self.groups:
             group.give_looks(self.lines, axes)
-        self.others = [Line(name, rows) for name, rows in by_key(self.content["outside"], lambda row: row["line"]).items()]
+        self.others = [Line(name, rows) for name, rows in by_key(self.content["outside"], lambda r: r["line"]).items()]
         for k, line in enumerate(self.others):
             line.look = {"color": "black", "linestyle": DASHES[1], "markersize": 7,
                          "markeredgecolor": "black", "marker": OTHER_MARKERS[k % len(OTHER_MARKERS)]}
 
+    def lines_along(self, axes, rows):
+        """Lines of the runs that agree in all these axes; each run is one where refinement is no number."""
+        labels = [axis["name"] for axis in axes]
+        runs = by_key(rows, lambda row: (row["line"], *(text_of(row["labels"].get(name)) for name in labels)))
+        return [Line(key[0] if self.refines else ", ".join(key[1:]) or key[0], group) for key, group in runs.items()]
+
     def caption(self):
-        """What ran where, in one line; and what the errors were measured on."""
+        """What ran where, in one line."""
         threads = sorted({row["threads"] for row in self.rows if row.get("threads")})
         used = " or ".join(map(str, threads)) + (" thread" if threads == [1] else " threads")
         failed = sum(row["status"] != "completed" for row in self.rows)

@@ -7,8 +7,9 @@ MOST_BARS = 30
 MOST_IN_NAME = 46  # characters of a bar's name in one row
 SMALLEST_PHASE = 0.01  # of a run; phases that are smaller in every run are drawn as one
 PHASES = ["setup", "support", "weights", "boundary", "pattern", "assembly", "analyse", "factorise", "solve", "update",
-          "errors", "cells", "mass", "ghost_mass", "forces", "damping", "accelerate", "move", "history", "critical_step",
-          "gravity", "projection", "diagnostics", "condition_estimate", "report", "output", "pictures"]
+          "errors", "cells", "mass", "ghost_mass", "forces", "damping", "accelerate", "move", "history",
+          "critical_step", "gravity", "projection", "diagnostics", "condition_estimate", "report", "output",
+          "pictures"]
 SECONDS = ("seconds", "median")
 OF_TIME = {0.5: "1/2", 1: "1", 1.5: "3/2", 2: "2", 3: "3", 4: "4"}  # exponents whose guides are drawn
 ORDERS = [1, 2, 3, 4]
@@ -71,7 +72,7 @@ def error_figure(study, x, note, spread=None):
     shown = [norm for norm in study.norms if any(line.points(x, ("errors", norm)) for line in study.lines)]
     if not shown:
         return None, [], {}
-    figure = Figure(study, len(shown), 3.3 if len(shown) > 1 else 4.4, (" · ".join(part for part in (study.content["device"], note) if part),))
+    figure = Figure(study, len(shown), 3.3 if len(shown) > 1 else 4.4, [study.content["device"], note])
     runs_of = {norm: [line.points(x, ("errors", norm)) for line in lines] for norm in shown}
     for k, (axes, norm) in enumerate(zip(figure.panels, shown)):
         runs = [run for of_line in runs_of[norm] for run in of_line]
@@ -182,11 +183,11 @@ def draw_phases(folder, study):
     if not lines:
         return
     if len(lines) > MOST_BARS:
-        lines = sorted(lines, key=lambda line: number(line.finest, "errors", study.norms[0]) or math.inf)[:MOST_BARS]
+        lines = sorted(lines, key=lambda line: number(line.finest, "errors", *study.norms[:1]) or math.inf)[:MOST_BARS]
     lines.sort(key=lambda line: -sum(line.finest["phases"].values()))
     phases, seconds = phases_of([line.finest for line in lines])
     note, names = finest_note(study, lines)
-    figure = Figure(study, 2, 0.75 + 0.235 * len(lines), (note,))
+    figure = Figure(study, 2, 0.75 + 0.235 * len(lines), [note])
     totals = seconds.sum(axis=0)
     for axes, widths, most in zip(figure.panels, (seconds, 100 * seconds / totals), (1.25 * totals.max(), 100)):
         draw_bars(axes, phases, widths)
