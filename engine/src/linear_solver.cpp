@@ -13,6 +13,7 @@
 extern "C" {
 void openblas_set_num_threads(int threads);
 char* openblas_get_config();
+void dpotrf_(const char* triangle, const int* n, double* matrix, const int* rows, int* fault);
 }
 
 namespace shoreline {
@@ -263,7 +264,14 @@ double LinearSolver::condition_estimate() const {
   return estimate * norm1(f.scaled);
 }
 
-void set_blas_threads(int threads) { openblas_set_num_threads(threads); }
+void set_blas_threads(int threads) {
+  openblas_set_num_threads(threads);
+  // OpenBLAS waits for ever for work space that the system refuses; so it takes it here, where there still is some
+  const int one = 1;
+  double matrix = 1.0;
+  int fault = 0;
+  dpotrf_("L", &one, &matrix, &one, &fault);
+}
 
 std::string blas_name() { return openblas_get_config(); }
 

@@ -78,15 +78,15 @@ def failing_runs_are_rows():
 
 def budgets_hold():
     sweep = [{"key": "grid.cell_size", "values": [0.5, 0.002]}]
-    done = run(study("memory", sine_square(), sweep, budget={"memory": 3e8}, samples=0))
+    done = run(study("memory", sine_square(), sweep, budget={"memory": 3e8}))
     assert [row["status"] for row in done["rows"]] == ["completed", "failed"], done["rows"]
-    assert "memory" in done["rows"][1]["reason"], done["rows"][1]["reason"]
+    assert "more memory than budget.memory, 3e+08 bytes" in done["rows"][1]["reason"], done["rows"][1]["reason"]
 
     done = run(study("seconds", sine_square(), sweep, budget={"seconds": 1.0}))
     assert "longer than budget.seconds, 1 s" in done["rows"][1]["reason"], done["rows"][1]["reason"]
 
-    file = study("ulimit", sine_square(), sweep, samples=0)
-    limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (3 * 10**8, 3 * 10**8))
+    file = study("ulimit", sine_square(), sweep)
+    limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (6 * 10**8, 6 * 10**8))
     status = subprocess.run([PROGRAM, "study", file, "--output", "ulimit", "--quiet"], preexec_fn=limit, timeout=300,
                             capture_output=True).returncode
     with open("ulimit/study.json") as stream:
@@ -192,7 +192,7 @@ def cylinder(points):
 def the_part_that_dominates_is_named():
     smooth = sine_square()
     few = copy.deepcopy(smooth)
-    few["material_points"] = {"per_cell": 2, "volumes": "lattice"}
+    few["material_points"] = {"across": [16, 16], "volumes": "lattice"}
     banded = copy.deepcopy(smooth)
     for piece in banded["boundaries"]:
         piece["condition"] |= {"method": "implicit_boundary", "band": 0.1}
@@ -233,7 +233,9 @@ def without_an_exact_solution_runs_are_compared():
     del case["exact"]
     for piece in case["boundaries"]:
         piece["condition"] = {"type": "fixed", "method": "nitsche"}
-    case["probes"] = [{"name": "middle", "position": [0.4, 0.5]}]
+    case["boundaries"][1]["condition"] = {"type": "traction", "value": [0, 0]}
+    case["boundaries"][1]["line"]["points"] = 3
+    case["probes"] = [{"name": "middle", "position": [1, 0.5]}]
     sweep = [{"key": "grid.cell_size", "values": [0.25, 0.125, 0.0625, 0.03125]}]
     finest = run(study("finest", case, sweep))
     errors = [row["errors"] for row in finest["rows"]]

@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -23,14 +22,9 @@ namespace {
 constexpr int not_started = 127;  // exit status of a child that could not become the program
 
 /// In the child: becomes the program. Only calls that are safe after a fork.
-[[noreturn]] void become(char* const* arguments, int complaint, const Limits& limits, pid_t parent) {
+[[noreturn]] void become(char* const* arguments, int complaint, pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(not_started);  // that died before the line above
-  if (limits.memory) {
-    const auto bytes = static_cast<rlim_t>(*limits.memory);
-    const rlimit limit{bytes, bytes};
-    setrlimit(RLIMIT_AS, &limit);
-  }
   const int nothing = open("/dev/null", O_RDWR);
   dup2(nothing, STDIN_FILENO);
   dup2(nothing, STDOUT_FILENO);
@@ -39,20 +33,36 @@ constexpr int not_started = 127;  // exit status of a child that could not becom
   _exit(not_started);
 }
 
-/// @return  whether the child ended by itself; its status
-bool wait_for(pid_t child, const std::optional<double>& seconds, int& status) {
+/// What a process holds in memory now [bytes]; 0 where it has ended.
+double resident_bytes(pid_t process) {
+  std::ifstream pages("/proc/" + std::to_string(process) + "/statm");
+  double whole = 0.0;
+  double resident = 0.0;
+  pages >> whole >> resident;
+  return resident * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+}
+
+/// Waits for the end of the child, or ends it where it meets a limit.
+/// @return  the limit that it met; else empty
+std::string wait_for(pid_t child, const Limits& limits, int& status) {
   using Clock = std::chrono::steady_clock;
-  constexpr auto pause = std::chrono::milliseconds(2);  // costs a thousandth of a core
+  constexpr auto pause = std::chrono::milliseconds(2);  // costs a few thousandths of a core
   const auto start = Clock::now();
-  while (waitpid(child, &status, seconds ? WNOHANG : 0) == 0) {
-    if (std::chrono::duration<double>(Clock::now() - start).count() > *seconds) {
+  const bool watched = limits.seconds || limits.memory;
+  while (waitpid(child, &status, watched ? WNOHANG : 0) == 0) {
+    std::string met;
+    if (limits.seconds && std::chrono::duration<double>(Clock::now() - start).count() > *limits.seconds)
+      met = fmt::format("took longer than budget.seconds, {:g} s", *limits.seconds);
+    else if (limits.memory && resident_bytes(child) > *limits.memory)
+      met = fmt::format("took more memory than budget.memory, {:g} bytes", *limits.memory);
+    if (!met.empty()) {
       kill(child, SIGKILL);
       waitpid(child, &status, 0);
-      return false;
+      return met;
     }
     std::this_thread::sleep_for(pause);
   }
-  return true;
+  return "";
 }
 
 std::string first_line(const std::filesystem::path& file) {
@@ -84,20 +94,17 @@ ChildOutcome run_child(const std::vector<std::string>& words, const std::filesys
   const auto start = std::chrono::steady_clock::now();
   const pid_t parent = getpid();
   const pid_t child = fork();
-  if (child == 0) become(arguments.data(), file, limits, parent);
+  if (child == 0) become(arguments.data(), file, parent);
   const int problem = errno;
   close(file);
   if (child < 0) throw OutputError("cannot start a process: " + std::generic_category().message(problem));
 
   ChildOutcome outcome;
   int status = 0;
-  const bool in_time = wait_for(child, limits.seconds, status);
+  outcome.reason = wait_for(child, limits, status);
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  outcome.succeeded = in_time && WIFEXITED(status) && WEXITSTATUS(status) == 0;
-  if (!in_time)
-    outcome.reason = fmt::format("took longer than budget.seconds, {:g} s", *limits.seconds);
-  else if (!outcome.succeeded)
-    outcome.reason = reason_of(status, complaint);
+  outcome.succeeded = outcome.reason.empty() && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  if (!outcome.succeeded && outcome.reason.empty()) outcome.reason = reason_of(status, complaint);
   return outcome;
 }
 

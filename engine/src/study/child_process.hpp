@@ -9,8 +9,8 @@
 namespace shoreline {
 
 struct Limits {
-  std::optional<double> seconds;  ///< of wall clock; a child that takes longer is killed
-  std::optional<double> memory;   ///< address space [bytes], as with ulimit -v
+  std::optional<double> seconds;  ///< of wall clock
+  std::optional<double> memory;   ///< that it holds at once [bytes]
 };
 
 struct ChildOutcome {
@@ -21,7 +21,7 @@ struct ChildOutcome {
 
 /// Runs a program to its end, with standard output thrown away.
 ///
-/// The child dies with this process, however that ends.
+/// The child dies with this process, however that ends, and where it meets a limit.
 ///
 /// @param words     the program and its arguments
 /// @param complaint file for what the child writes to standard error; replaced

@@ -36,7 +36,7 @@ Schema axis() {
 
 Schema budget() {
   return {Object{{key("seconds", {Number{{0.0, 1e9, true}}}, optional, "s", "that one run may take"),
-                  key("memory", {Number{{1e6, 1e15}}}, optional, "byte", "address space that one run may take")},
+                  key("memory", {Number{{1e6, 1e15}}}, optional, "byte", "that one run may hold at once")},
                  {}}};
 }
 
