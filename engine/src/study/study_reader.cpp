@@ -25,10 +25,12 @@ std::vector<std::string> assignments(const Node& node) {
   return all;
 }
 
+/// The number of an entry is its value; of a list of numbers the first.
 Study::Choice labelled(const Json& value) {
   Study::Choice choice{
       .label = value.is_string() ? value.get<std::string>() : value.dump(), .number = std::nullopt, .settings = {}};
-  if (value.is_number()) choice.number = value.get<double>();
+  const Json& number = value.is_array() && !value.empty() ? value.front() : value;
+  if (number.is_number()) choice.number = number.get<double>();
   return choice;
 }
 

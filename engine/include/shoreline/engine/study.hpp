@@ -15,7 +15,7 @@ struct Study {
   /// One entry of an axis.
   struct Choice {
     std::string label;
-    std::optional<double> number;       ///< where the label is one
+    std::optional<double> number;       ///< where the label is one, or a list that begins with one
     std::vector<std::string> settings;  ///< changes to the case
   };
   struct Axis {
