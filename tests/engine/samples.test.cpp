@@ -112,19 +112,22 @@ TEST_CASE("samples depend on the outline alone and their areas sum to the body's
 }
 
 TEST_CASE("sub-cells of samples are squares where the sides are in a ratio of whole numbers", "[engine][samples]") {
-  const auto number = [](double width, double height, int across) {
-    Case problem = test::disc_case(1.0, 0.21, Case::Free{});
-    problem.boundaries[0].piece = {.name = "rim",
-                                   .points = {{0, 0}, {width, 0}, {width, height}, {0, height}},
-                                   .corners = {0, 1, 2, 3},
-                                   .closed = true};
-    return place_samples(std::vector{fit_spline(problem.boundaries[0].piece)}, across).size();
+  const auto samples = [](double width, double height, int across) {
+    const Piece rectangle{.name = "rim",
+                          .points = {{0, 0}, {width, 0}, {width, height}, {0, height}},
+                          .corners = {0, 1, 2, 3},
+                          .closed = true};
+    return place_samples(std::vector{fit_spline(rectangle)}, across);
   };
-  CHECK(number(0.3, 0.1, 30) == 300);
-  CHECK(number(0.1, 0.3, 30) == 300);
-  CHECK(number(0.7, 0.7, 7) == 49);
-  CHECK(number(1.0, 0.31, 10) == 40);  // rounded up
-  CHECK(number(1.0, 1e-3, 2) == 2);
+  for (const auto& [width, height] : {std::pair(0.3, 0.1), std::pair(0.1, 0.3)}) {
+    const MaterialPoints points = samples(width, height, 30);
+    CHECK(points.size() == 300);
+    for (const Eigen::Index axis : {0, 1})  // half a sub-cell from the edge
+      CHECK_THAT(points.position.row(axis).minCoeff(), WithinRel(0.005, 1e-9));
+  }
+  CHECK(samples(0.7, 0.7, 7).size() == 49);
+  CHECK(samples(1.0, 0.31, 10).size() == 40);  // rounded up
+  CHECK(samples(1.0, 1e-3, 2).size() == 2);
 }
 
 TEST_CASE("samples change nothing of a run, and without them nothing is located or timed", "[engine][samples]") {
