@@ -17,7 +17,7 @@ BASES = {
     "B-splines of degree 2": {"basis": "bspline", "degree": 2},
     "B-splines of degree 3": {"basis": "bspline", "degree": 3},
 }
-ASKED = {"diagnostics": {"error_estimate": True}, "output.every": 1000000}
+ASKED = {"diagnostics": {"error_estimate": True}, "output": {"every": 1000000, "pictures": False}}
 
 
 def effectivity(summary):
@@ -72,10 +72,20 @@ over_sizes("Plate, displacements, 4² equal points a cell", "plate_with_hole/dir
 over_sizes("Thick cylinder, fitted weights", "thick_cylinder/implicit.json", (1, 2, 4, 8), fitted)
 over_sizes("Thick cylinder, 512² polar points", "thick_cylinder/implicit.json", (1, 2, 4, 8), lambda basis: {})
 
-print("\n## Vibrating bar, t = 0.02 s")
-SPLINES = ("linear, four", "Powell-Sabin, four", "B-splines of degree 2")
-table("basis", *(f"{n} blocks" for n in (4, 8, 16, 32)))
-for basis in SPLINES:
-    row(basis, *(effectivity(run("vibrating_bar/small.json",
-                                 ASKED | keys(basis) | {"grid.cell_size": [25 / n, 2], "analysis.end_time": 0.02}))
-                 for n in (4, 8, 16, 32)))
+print("\n## Compression, as the example has it")
+table("case", "effectivity")
+for case in ("aligned", "rotated_45", "rotated_60"):
+    row(f"`{case}.json`", effectivity(run(f"compression/{case}.json", ASKED)))
+
+print("\n## Vibrating bar, 0.1 % strain, t = 0.02 s")
+BLOCKS = (4, 8, 16, 32)
+table("basis", *(f"{n} blocks" for n in BLOCKS))
+for basis in ("linear, four", "Powell-Sabin, four"):
+    row(basis, *(effectivity(run("vibrating_bar/small.json", ASKED | keys(basis) | {"grid.cell_size": [25 / n, 2]}))
+                 for n in BLOCKS))
+
+print("\n## Other motions, as the examples have them")
+table("case", "effectivity")
+for case in ("vibrating_bar/large", "soil_column/small", "soil_column/large", "soil_column/equilibrium",
+             "moving_square/powell_sabin"):
+    row(f"`{case}.json`", effectivity(run(f"{case}.json", ASKED)))

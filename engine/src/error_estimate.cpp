@@ -74,8 +74,8 @@ SparseMatrix mass_of(const Basis& basis, const MaterialPoints& points, const Poi
 }
 
 /// Coefficients of the recovered stress by function, (Z.1); zero where no point sees it.
-Tensors recovered(const Basis& basis, const MaterialPoints& points, const PointSupports& supports) {
-  const std::vector<Index> number = number_functions(basis, points, supports);
+Tensors recovered(const Basis& basis, const MaterialPoints& points, const PointSupports& supports,
+                  const std::vector<Index>& number) {
   const SparseMatrix mass = mass_of(basis, points, supports, number);
   Tensors load = Tensors::Zero(mass.size, 3);
   for_each_cell(basis, supports, [&](const ShortIndices& functions, Index first, Index last) {
@@ -98,10 +98,13 @@ Tensors recovered(const Basis& basis, const MaterialPoints& points, const PointS
 
 }  // namespace
 
-ErrorEstimate error_estimate(const Basis& basis, const MaterialPoints& points) {
-  const PointSupports supports = locate_points(basis, points);
-  const Tensors stress = recovered(basis, points, supports);
-  ErrorEstimate estimate{.stress_l2 = 0.0, .stress_l2_relative = {}, .stress_at_point = Eigen::VectorXd(points.size())};
+ErrorEstimate error_estimate(const Basis& basis, const MaterialPoints& points, const PointSupports& supports) {
+  const std::vector<Index> number = number_functions(basis, points, supports);
+  const Tensors stress = recovered(basis, points, supports, number);
+  ErrorEstimate estimate{.stress_l2 = 0.0,
+                         .stress_l2_relative = {},
+                         .stress_at_point = Eigen::VectorXd(points.size()),
+                         .functions = *std::ranges::max_element(number) + 1};
   double whole = 0.0;
   for_each_cell(basis, supports, [&](const ShortIndices& functions, Index first, Index last) {
     for (Index k = first; k < last; ++k) {

@@ -40,7 +40,7 @@ double predicted_bytes(const Scene& scene, const PointSupports& supports, double
   const double reach = problem.grid.basis == Case::BasisType::bspline ? problem.grid.degree : 1.0;
   const double factor = 4.0 * (1.0 + reach * reach) * 8.0 * std::log2(std::max(unknowns, 2.0));
   // the estimate has one component, so a quarter of the matrix, of its factor and (as triplets) of its blocks
-  const double estimate = points * support + cells * 8.0 * n * (n + 1.0) + 0.25 * unknowns * (matrix + factor);
+  const double estimate = cells * 8.0 * n * (n + 1.0) + 0.25 * unknowns * (matrix + factor);
   constexpr double program = 2.2e7;
   return (problem.error_estimate ? estimate : 0.0) + program + points * (state * 2.0 + support) + cells * block +
          unknowns * (matrix + factor) + bytes_of_cell(problem.grid.basis) * scene.basis->grid().cells();

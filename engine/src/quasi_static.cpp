@@ -4,6 +4,7 @@
 
 #include "body_boundary.hpp"
 #include "effects/slip_points.hpp"
+#include "estimate_at_end.hpp"
 #include "fitted_volumes.hpp"
 #include "motion_check.hpp"
 #include "move_points.hpp"
@@ -144,6 +145,7 @@ void run_load_steps(Scene& scene, const QuasiStaticOptions& options, RunRecord& 
         check_motion(scene);
         respace_pieces(scene, step, work.system.warnings, record.warnings);
       });
+      if (options.error_estimate && step == scene.load_steps) estimate_at_end(scene, work.supports, record);
     } catch (const OutsideGrid& error) {
       throw ComputationError(fmt::format("load step {}: {}", step, error.what()));
     } catch (const InvalidArgument& error) {

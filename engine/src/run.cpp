@@ -10,7 +10,6 @@
 #include "projection_run.hpp"
 #include "record_in_summary.hpp"
 #include "saved_step.hpp"
-#include "shoreline/engine/error_estimate.hpp"
 #include "shoreline/engine/failures.hpp"
 #include "shoreline/engine/linear_solver.hpp"
 #include "shoreline/engine/pictures.hpp"
@@ -119,9 +118,6 @@ Summary run(const Case& problem, const RunOptions& options) {
   Saving saving(problem, options.output, scene, record);
   Progress progress(options.quiet);
   const auto after_step = [&](int step) {
-    if (problem.error_estimate && step == scene.load_steps)
-      record.error_estimate =
-          record.phases.time("estimate", [&] { return error_estimate(*scene.basis, scene.points); });
     saving.after_step(step);
     if (step < scene.load_steps) progress.begin(step + 1, scene.load_steps);
   };
@@ -140,6 +136,7 @@ Summary run(const Case& problem, const RunOptions& options) {
     run_load_steps(scene,
                    {.condition_estimate = problem.condition_estimate,
                     .cut_fractions = problem.cut_fractions,
+                    .error_estimate = problem.error_estimate,
                     .after_step = after_step},
                    record);
     const bool radii = problem.exact && std::holds_alternative<ThickCylinder>(*problem.exact);

@@ -5,11 +5,11 @@
 #include <chrono>
 #include <cmath>
 
+#include "../estimate_at_end.hpp"
 #include "../make_basis.hpp"
 #include "../record_in_summary.hpp"
 #include "../saved_step.hpp"
 #include "shoreline/engine/dynamics.hpp"
-#include "shoreline/engine/error_estimate.hpp"
 #include "shoreline/engine/error_norms.hpp"
 #include "shoreline/engine/failures.hpp"
 #include "shoreline/engine/pictures.hpp"
@@ -103,6 +103,13 @@ void take_over(const DynamicRecord& record, double total, Summary& summary) {
   dynamics.dropped_points = record.dropped;
 }
 
+/// Of the stress at the end; a time step moves the points so little that it does not matter where they were before it.
+void estimate(const Scene& body, DynamicRecord& record) {
+  const PointSupports supports =
+      record.phases.time("estimate", [&] { return locate_points(*body.basis, body.points); });
+  estimate_at_end(body, supports, record);
+}
+
 /// What the library calls an invalid time step is that of the case.
 template <class Steps>
 auto with_place(const Case& problem, Steps&& steps) {
@@ -147,9 +154,7 @@ Summary run_dynamics(const Case& problem, const RunOptions& options, int threads
                              .after_step =
                                  [&](int, double t) {
                                    if (problem.error_estimate && t >= scene.settings.end_time)
-                                     record.error_estimate = record.phases.time("estimate", [&] {
-                                       return error_estimate(*scene.body.basis, scene.body.points);
-                                     });
+                                     estimate(scene.body, record);
                                    if (saves) saving->save();
                                    progress.reach(t, scene.settings.end_time);
                                  }};

@@ -11,10 +11,11 @@ namespace shoreline {
 ///
 ///     Σ_j (Σ_p V_p φ_i(x_p) φ_j(x_p)) s_j = Σ_p V_p φ_i(x_p) σ_p        η² = Σ_p V_p |σ*(x_p) − σ_p|²
 ///
-/// Weights are the points' volumes, components xx, yy, xy. The field belongs to the points where they are now.
+/// Weights are the points' volumes, components xx, yy, xy.
 ///
-/// @param points  at least one, with the stresses of the end of a step
-/// @throws ComputationError naming the first point outside the grid
-[[nodiscard]] ErrorEstimate error_estimate(const Basis& basis, const MaterialPoints& points);
+/// @param points    at least one, with stresses and volumes of the end of a step
+/// @param supports  of the points where the step found its strains: at the start of a load step
+[[nodiscard]] ErrorEstimate error_estimate(const Basis& basis, const MaterialPoints& points,
+                                           const PointSupports& supports);
 
 }  // namespace shoreline

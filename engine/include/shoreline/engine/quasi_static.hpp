@@ -36,7 +36,8 @@ struct RunRecord {
 
 struct QuasiStaticOptions {
   bool condition_estimate = false;
-  bool cut_fractions = false;  ///< and what else tells where the system is weak
+  bool cut_fractions = false;   ///< and what else tells where the system is weak
+  bool error_estimate = false;  ///< of the stress at the end
   /// Called with the number of a completed step, when points and curves have moved and can go on.
   std::function<void(int)> after_step = [](int) {};
 };

@@ -97,6 +97,7 @@ struct ErrorEstimate {
   double stress_l2 = 0.0;                    ///< η, the norm of ErrorNorms::stress_l2 [Pa m]
   std::optional<double> stress_l2_relative;  ///< over the norm of the recovered stress; missing where that vanishes
   Eigen::VectorXd stress_at_point;           ///< (points) |σ* − σ| [Pa]
+  Index functions = 0;                       ///< that recovered it; far fewer than points, or the estimate is too small
 };
 
 /// Everything in summary.json.
