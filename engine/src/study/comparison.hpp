@@ -15,12 +15,11 @@ struct Comparison {
 /// The completed run with the most unknowns; of several the last.
 [[nodiscard]] Comparison finest_run(const std::vector<StudyRow>& rows);
 
-/// The limit of the three last completed runs on the line of the finest one, by Richardson's extrapolation:
-///     q = q₃ + (q₃ − q₂)/(r^p − 1), r^p = |q₂ − q₁|/|q₃ − q₂|                         (V.9)
-/// for each quantity whose differences fall; sizes must shrink by one ratio r, to 1 %.
+/// The limit of the three last completed runs on the line of the finest one, by Richardson's extrapolation, (N.11), for
+/// each quantity whose differences fall; sizes must shrink by one ratio r, to 1 %.
 [[nodiscard]] Comparison richardson_limit(const std::vector<StudyRow>& rows);
 
-/// Adds to each row |q − q_ref|/|q_ref| of every quantity that both have, in equally many numbers; where the reference
+/// Adds to each row |q − q_ref|/|q_ref|, (N.10), of every quantity that both have, in equally many numbers; where the reference
 /// vanishes, |q|.
 void compare(const Comparison& comparison, std::vector<StudyRow>& rows);
 
