@@ -22,4 +22,10 @@ void write_atomically(const std::filesystem::path& file, std::string_view text) 
   if (problem) throw OutputError(file.string() + ": cannot write: " + problem.message());
 }
 
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code problem;
+  std::filesystem::create_directories(folder, problem);
+  if (problem) throw OutputError(folder.string() + ": cannot make this folder: " + problem.message());
+}
+
 }  // namespace shoreline

@@ -10,4 +10,8 @@ namespace shoreline {
 /// @throws OutputError with path and reason
 void write_atomically(const std::filesystem::path& file, std::string_view text);
 
+/// Makes a folder with those above it, where it is missing.
+/// @throws OutputError with its path and the system's reason
+void make_folder(const std::filesystem::path& folder);
+
 }  // namespace shoreline

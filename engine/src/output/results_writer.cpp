@@ -40,12 +40,6 @@ Eigen::Matrix4Xd edges(const Grid& grid) {
   return Eigen::Map<const Eigen::Matrix4Xd>(found.data()->data(), 4, static_cast<Eigen::Index>(found.size()));
 }
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code problem;
-  std::filesystem::create_directories(folder, problem);
-  if (problem) throw OutputError(folder.string() + ": cannot make this folder: " + problem.message());
-}
-
 void remove_old(const std::filesystem::path& folder) {
   for (const char* name :
        {"summary.json", "results.xdmf", "deformed.png", "field.png", "history.png", "error_estimate.png"}) {

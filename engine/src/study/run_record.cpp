@@ -24,12 +24,6 @@ namespace {
 /// Phases that only tell of a run: what a user who wants the solution alone would not wait for.
 constexpr std::array telling{"total", "output", "pictures", "errors", "diagnostics", "condition", "estimate"};
 
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code problem;
-  std::filesystem::create_directories(folder, problem);
-  if (problem) throw OutputError(folder.string() + ": cannot make this folder: " + problem.message());
-}
-
 /// 64 bits of a text, FNV-1a (Fowler, Noll & Vo).
 std::string hash_of(const std::string& text) {
   std::uint64_t hash = 14695981039346656037ULL;
