@@ -46,6 +46,10 @@ TEST_CASE("a report has sizes, errors, cost, warnings and the folder", "[engine]
   summary.errors->stress_l2 = 7.5;
   CHECK_THAT(report(summary, "out"), Contains("absolute 1.125e-06 m^2, 7.500e+00 Pa m") && !Contains("over time"));
 
+  summary.error_estimate = ErrorEstimate{.stress_l2 = 6.0, .stress_l2_relative = 0.0125, .stress_at_point = {}};
+  CHECK_THAT(report(summary, "out"),
+             Contains("estimated error of stress: L2 6.000e+00 Pa m, relative 1.250e-02; 0.8 times the error"));
+
   summary.errors->boundary_radius["inner"] = {.mean = 2.0125, .exact = 2.0, .mean_relative = 6.25e-3};
   summary.displacement_fit["edge"] = {.l2 = 1.5e-5, .mean = 2.5e-5};
   summary.probes.push_back(

@@ -212,10 +212,12 @@ def draw_estimate(folder, title, body):
     """The estimated error of the stress at the points, in a logarithmic scale."""
     figure, axes = plt.subplots(figsize=(7.5, 6), dpi=130, layout="constrained")
     figure.suptitle(f"{title}\n{body.caption}".replace("$", r"\$"))
-    rounding = 1e-12 * np.abs(body.stress[:, :4]).max()
-    error, unit = in_readable_unit(np.maximum(body.stress[:, 4], rounding), "Pa")
-    most = np.percentile(error, 99.5) or 1.0
-    least = np.clip(np.percentile(error, 0.5), 1e-4 * most, 0.5 * most)
+    rounding = 1e-12 * np.abs(body.stress[:, :4]).max()  # less is none
+    error = np.maximum(body.stress[:, 4], rounding)
+    unit, scale = readable_unit(error, "Pa")
+    error = error / scale
+    most = max(np.percentile(error, 99.5), 10 * rounding / scale) or 1.0
+    least = np.clip(np.percentile(error, 0.5), 1e-4 * most, 0.1 * most)
     squares = draw(axes, body, np.maximum(error, least), f"estimated error of stress |σ* − σ| [{unit}]")
     squares.set_norm(LogNorm(least, most))
     figure.draw_without_rendering()
