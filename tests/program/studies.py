@@ -272,6 +272,8 @@ def main():
              the_part_that_dominates_is_named, the_chosen_setting_holds_on_a_shifted_grid,
              without_an_exact_solution_runs_are_compared, rows_come_from_outside]
     wanted = sys.argv[2:]
+    unknown = set(wanted) - {test.__name__ for test in tests}
+    assert not unknown, f"no such test: {unknown}"
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         for test in tests:

@@ -43,13 +43,14 @@ double resident_bytes(pid_t process) {
 }
 
 /// Waits for the end of the child, or ends it where it meets a limit.
-/// @return  the limit that it met; else empty
+/// @return  the limit that it met, or why its end is not known; else empty
 std::string wait_for(pid_t child, const Limits& limits, int& status) {
   using Clock = std::chrono::steady_clock;
   constexpr auto pause = std::chrono::milliseconds(2);  // costs a few thousandths of a core
   const auto start = Clock::now();
   const bool watched = limits.seconds || limits.memory;
-  while (waitpid(child, &status, watched ? WNOHANG : 0) == 0) {
+  pid_t ended = 0;
+  while ((ended = waitpid(child, &status, watched ? WNOHANG : 0)) == 0) {
     std::string met;
     if (limits.seconds && std::chrono::duration<double>(Clock::now() - start).count() > *limits.seconds)
       met = fmt::format("took longer than budget.seconds, {:g} s", *limits.seconds);
@@ -62,6 +63,8 @@ std::string wait_for(pid_t child, const Limits& limits, int& status) {
     }
     std::this_thread::sleep_for(pause);
   }
+  if (ended < 0)  // who starts this program may have it ignore SIGCHLD, and then no status is kept
+    return "how it ended is not known: " + std::generic_category().message(errno) + "; start this with SIGCHLD heeded";
   return "";
 }
 
