@@ -57,6 +57,7 @@ def every_key_misspelt_mistyped_missing():
 def wrong_values():
     table = [  # path, value, where, in the message, whether the schema sees it
         ("title", ["a"], "", "a string", True),
+        ("case", "", "", "the name of a file", False),
         ("set", [], "", "an object", True),
         ("set", {"": 1}, "", "dotted path", False),
         ("set", {"grid..degree": 1}, "", "dotted path", False),
@@ -125,6 +126,7 @@ def wrong_values():
         ("outside", [], "", "at least 1", True),
         ("outside", "other.csv", "", "a list", True),
         ("outside", [7], "/0", "a string", True),
+        ("outside", ["other.csv", ""], "/1", "the name of a file", False),
     ]
     for path, value, where, words, structural in table:
         pointer = where[1:] if where.startswith("@") else "/" + path + where
@@ -168,7 +170,7 @@ def all_wrong_studies():
 def wrong_companions():
     """(name, study, words): studies that are right, of cases and tables that are not."""
     for case, words in [("missing.json", ["missing.json: ", "No such file", "expected a case file"]),
-                        ("", ["found a folder", "expected a case file"]),
+                        (".", ["found a folder", "expected a case file"]),
                         ("list.json", ["list.json: ", "found [1,2]", "expected a case"]),
                         ("broken.json", ["broken.json: ", "line 1, column"]),
                         ("empty.json", ["empty.json: ", "is empty"])]:

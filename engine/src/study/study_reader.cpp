@@ -138,11 +138,18 @@ Study::Reference read_reference(const Node& node) {
   return Study::Finest{};
 }
 
+/// A file that a study names, relative to its own.
+std::filesystem::path file_in(const Node& node, const std::filesystem::path& study) {
+  const auto name = node.as<std::string>();
+  if (name.empty()) node.place.fail("found \"\", expected the name of a file");
+  return study.parent_path() / name;
+}
+
 Study study_of(const Node& root, const std::filesystem::path& file) {
   Study study;
   study.file = file;
   study.title = root.has("title") ? root["title"].as<std::string>() : file.stem().string();
-  study.base = file.parent_path() / root["case"].as<std::string>();
+  study.base = file_in(root["case"], file);
   study.settings = assignments(root["set"]);
   study.axes = read_axes(root["sweep"]);
   study.refine = refined_axis(root, study.axes);
@@ -157,8 +164,8 @@ Study study_of(const Node& root, const std::filesystem::path& file) {
       (!study.refine || study.axes[*study.refine].choices.size() < 3))
     root["reference"].place.fail("found \"richardson\", expected an axis to refine with at least 3 entries beside it");
   if (root.has("outside"))
-    for (const Json& name : root["outside"].value)
-      study.outside.push_back(file.parent_path() / name.get<std::string>());
+    for (std::size_t i = 0; i < root["outside"].size(); ++i)
+      study.outside.push_back(file_in(root["outside"].entry(i), file));
   return study;
 }
 
