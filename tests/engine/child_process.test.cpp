@@ -69,6 +69,12 @@ TEST_CASE("a child that meets its limit of memory is ended there, and one below 
   CHECK(shell("sleep 0.05", {.seconds = {}, .memory = 5e7}).succeeded);
 }
 
+TEST_CASE("what the parent holds does not count as the child's", "[engine][study][child]") {
+  const std::vector<double> held(50'000'000, 1.0);
+  CHECK(shell("sleep 0.02", {.seconds = {}, .memory = 1e8}).reason.empty());
+  CHECK(held.back() == 1.0);
+}
+
 TEST_CASE("what cannot be started or written is told", "[engine][study][child]") {
   const OutputFolder folder;
   CHECK_THAT(run_child({"/no/such/program"}, folder.path / "complaint", {}).reason, Contains("127"));

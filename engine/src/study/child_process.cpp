@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -31,6 +32,14 @@ constexpr int not_started = 127;  // exit status of a child that could not becom
   dup2(complaint, STDERR_FILENO);
   execv(arguments[0], arguments);
   _exit(not_started);
+}
+
+/// Waits until the child is its program, or has ended: until then its memory is a copy of ours.
+/// @param started  a pipe that the program does not inherit
+void wait_for_start(const std::array<int, 2>& started) {
+  close(started[1]);
+  for (char nothing = 0; read(started[0], &nothing, 1) < 0 && errno == EINTR;) continue;
+  close(started[0]);
 }
 
 /// What a process holds in memory now [bytes]; 0 where it has ended.
@@ -94,12 +103,19 @@ ChildOutcome run_child(const std::vector<std::string>& words, const std::filesys
   arguments.push_back(nullptr);
   const int file = open(complaint.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (file < 0) throw OutputError(complaint.string() + ": cannot write: " + std::generic_category().message(errno));
+  std::array<int, 2> started{};
+  if (pipe2(started.data(), O_CLOEXEC) != 0) {
+    const int problem = errno;
+    close(file);
+    throw OutputError("cannot start a process: " + std::generic_category().message(problem));
+  }
   const auto start = std::chrono::steady_clock::now();
   const pid_t parent = getpid();
   const pid_t child = fork();
   if (child == 0) become(arguments.data(), file, parent);
   const int problem = errno;
   close(file);
+  wait_for_start(started);
   if (child < 0) throw OutputError("cannot start a process: " + std::generic_category().message(problem));
 
   ChildOutcome outcome;
