@@ -54,6 +54,10 @@ void run_case(const Arguments& arguments) {
 
 /// Status 1 where no run completed.
 void run_study(const Arguments& arguments) {
+  constexpr int most_threads = 1024;
+  if (arguments.threads && (*arguments.threads < 0 || *arguments.threads > most_threads))
+    throw CLI::ValidationError("--threads", "found " + std::to_string(*arguments.threads) +
+                                                ", expected a whole number from 0 to " + std::to_string(most_threads));
   const shoreline::Study study = shoreline::read_study(arguments.file);
   const shoreline::StudyOutcome outcome = shoreline::run_study(study, {.output = output_of(arguments),
                                                                        .program = "/proc/self/exe",

@@ -90,6 +90,8 @@ class Checker {
     expect(value.is_number() || value.is_string(), schema, value);
   }
   void check_kind(const List& list, const Schema& schema, Json& value) {
+    if (value.is_array() && value.size() > list.at_most && list.at_most > list.at_least)
+      fail(fmt::format("found {}, expected at most {} entries", described(value), list.at_most));
     expect(value.is_array() && value.size() >= list.at_least && value.size() <= list.at_most, schema, value);
     for (std::size_t i = 0; i < value.size(); ++i) check_at(std::to_string(i), *list.entry, value[i]);
   }

@@ -47,7 +47,8 @@ std::optional<Extrapolation> extrapolated(const StudyTable& table, const std::st
   for (std::size_t r = 1; r < table.rows.size(); ++r) {
     const StudyRow& coarse = table.rows[r - 1];
     const StudyRow& fine = table.rows[r];
-    const bool last = r + 1 == table.rows.size() || table.rows[r + 1].plan.line != fine.plan.line;
+    const bool last = r + 1 == table.rows.size() || table.rows[r + 1].plan.line != fine.plan.line ||
+                      !table.rows[r + 1].result.completed;  // that one may have met its budget
     const auto rate = fine.rates.find(norm);
     if (!last || rate == fine.rates.end() || rate->second < 0.1 || !coarse.result.completed) continue;
     const double ratio = *fine.plan.refinement / *coarse.plan.refinement;

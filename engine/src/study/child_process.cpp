@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -33,6 +34,14 @@ constexpr int not_started = 127;  // exit status of a child that could not becom
   _exit(not_started);
 }
 
+/// Waits until the child is its program, or has ended: until then its memory is a copy of ours.
+/// @param started  a pipe that the program does not inherit
+void wait_for_start(const std::array<int, 2>& started) {
+  close(started[1]);
+  for (char nothing = 0; read(started[0], &nothing, 1) < 0 && errno == EINTR;) continue;
+  close(started[0]);
+}
+
 /// What a process holds in memory now [bytes]; 0 where it has ended.
 double resident_bytes(pid_t process) {
   std::ifstream pages("/proc/" + std::to_string(process) + "/statm");
@@ -43,13 +52,14 @@ double resident_bytes(pid_t process) {
 }
 
 /// Waits for the end of the child, or ends it where it meets a limit.
-/// @return  the limit that it met; else empty
+/// @return  the limit that it met, or why its end is not known; else empty
 std::string wait_for(pid_t child, const Limits& limits, int& status) {
   using Clock = std::chrono::steady_clock;
   constexpr auto pause = std::chrono::milliseconds(2);  // costs a few thousandths of a core
   const auto start = Clock::now();
   const bool watched = limits.seconds || limits.memory;
-  while (waitpid(child, &status, watched ? WNOHANG : 0) == 0) {
+  pid_t ended = 0;
+  while ((ended = waitpid(child, &status, watched ? WNOHANG : 0)) == 0) {
     std::string met;
     if (limits.seconds && std::chrono::duration<double>(Clock::now() - start).count() > *limits.seconds)
       met = fmt::format("took longer than budget.seconds, {:g} s", *limits.seconds);
@@ -62,6 +72,8 @@ std::string wait_for(pid_t child, const Limits& limits, int& status) {
     }
     std::this_thread::sleep_for(pause);
   }
+  if (ended < 0)  // who starts this program may have it ignore SIGCHLD, and then no status is kept
+    return "how it ended is not known: " + std::generic_category().message(errno) + "; start this with SIGCHLD heeded";
   return "";
 }
 
@@ -91,12 +103,19 @@ ChildOutcome run_child(const std::vector<std::string>& words, const std::filesys
   arguments.push_back(nullptr);
   const int file = open(complaint.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (file < 0) throw OutputError(complaint.string() + ": cannot write: " + std::generic_category().message(errno));
+  std::array<int, 2> started{};
+  if (pipe2(started.data(), O_CLOEXEC) != 0) {
+    const int problem = errno;
+    close(file);
+    throw OutputError("cannot start a process: " + std::generic_category().message(problem));
+  }
   const auto start = std::chrono::steady_clock::now();
   const pid_t parent = getpid();
   const pid_t child = fork();
   if (child == 0) become(arguments.data(), file, parent);
   const int problem = errno;
   close(file);
+  wait_for_start(started);
   if (child < 0) throw OutputError("cannot start a process: " + std::generic_category().message(problem));
 
   ChildOutcome outcome;

@@ -40,9 +40,9 @@ void set_unless_there(Json& json, const std::string& pointer, const Json& value)
 }
 
 /// What makes runs comparable and their clock fair.
-void make_fair(const Study& study, const Json& base, int threads, Json& json) {
+void make_fair(const Study& study, const Json& base, std::optional<int> threads, Json& json) {
   const bool quasi_static = analysis_of(json) == "quasi_static";
-  if (threads > 0) json["solver"]["threads"] = threads;
+  if (threads) json["solver"]["threads"] = *threads;
   set_unless_there(json, "/solver/threads", omp_get_num_procs());
   if (json["solver"]["threads"] == 0) json["solver"]["threads"] = omp_get_num_procs();
   if (quasi_static && json.contains("exact") && study.samples > 0) set_unless_there(json, "/samples", study.samples);
@@ -76,13 +76,15 @@ std::optional<Study::Reference> reference_of(const Study& study, const Json& bas
   return projection ? std::nullopt : std::optional<Study::Reference>(Study::Finest{});
 }
 
-PreparedCase prepared_case(const Study& study, const Json& base, int threads,
+PreparedCase prepared_case(const Study& study, const Json& base, std::optional<int> threads,
                            const std::vector<std::string>& settings) {
   constexpr int only_the_ends = 1000000;
   PreparedCase prepared{base, ""};
   try {
+    Json as_run = base;
+    for (const std::string& setting : settings) override_value(as_run, setting);
     override_value(prepared.json, "output.pictures=false");
-    if (analysis_of(base) != "projection")
+    if (analysis_of(as_run) != "projection")
       override_value(prepared.json, "output.every=" + std::to_string(only_the_ends));
     for (const std::string& setting : settings) override_value(prepared.json, setting);
     if (const Json::json_pointer mesh("/grid/mesh"); prepared.json.contains(mesh) && prepared.json[mesh].is_string())

@@ -25,8 +25,9 @@ struct PreparedCase {
 /// The study's own changes (no pictures, first and last step saved, threads fixed, sample points, strain energy where
 /// runs are compared with a reference), then @p settings.
 ///
-/// @param base  the case file as JSON
-[[nodiscard]] PreparedCase prepared_case(const Study& study, const Json& base, int threads,
+/// @param base     the case file as JSON
+/// @param threads  of the run, 0: all cores; none: as the case says, else all cores
+[[nodiscard]] PreparedCase prepared_case(const Study& study, const Json& base, std::optional<int> threads,
                                          const std::vector<std::string>& settings);
 
 /// Whether runs are compared with a reference; @p base the case file as JSON.

@@ -55,6 +55,9 @@ void add_times(const Json& summary, RunResult& result) {
   result.seconds.push_back(seconds);
 }
 
+/// What a run complains of may quote bytes of a broken mesh.
+constexpr auto readable = Json::error_handler_t::replace;
+
 Json record_of(const Json& identity, const RunResult& result) {
   return {{"identity", identity},
           {"completed", result.completed},
@@ -153,7 +156,7 @@ RunResult Runner::result_of(const PreparedCase& prepared, int repeat) {
     const std::string where = (result.folder / "case.json").string() + ": ";
     if (result.reason.starts_with(where)) result.reason = result.reason.substr(where.size());
   }
-  write_atomically(result.folder / "record.json", record_of(identity, result).dump(1) + "\n");
+  write_atomically(result.folder / "record.json", record_of(identity, result).dump(1, ' ', false, readable) + "\n");
   remove_bulk(result.folder);
   return result;
 }

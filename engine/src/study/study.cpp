@@ -25,7 +25,7 @@ struct Work {
   Runner runner;
 
   [[nodiscard]] PreparedCase prepared(const std::vector<std::string>& settings) const {
-    return prepared_case(study, base, options.threads.value_or(0), settings);
+    return prepared_case(study, base, options.threads, settings);
   }
 };
 
@@ -137,7 +137,8 @@ StudyOutcome run_study(const Study& study, const StudyOptions& options) {
   if (table.errors.empty()) table.errors = usual_norms(table.rows);
 
   std::optional<Answer> found;
-  if (options.tolerance) found = answer_of(work, table);
+  const auto completed = [](const StudyRow& row) { return row.result.completed; };
+  if (options.tolerance && std::ranges::any_of(table.rows, completed)) found = answer_of(work, table);
   write_files(table, found, options);
   StudyOutcome outcome;
   outcome.runs = static_cast<int>(table.rows.size());

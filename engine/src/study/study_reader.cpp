@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "case_file/json_text.hpp"
 #include "case_file/nearest.hpp"
@@ -17,11 +18,17 @@ namespace {
 
 constexpr double most_runs = 1e5;
 
-std::string assignment(const std::string& path, const Json& value) { return path + "=" + value.dump(); }
+/// A change to the case as --set takes it.
+std::string assignment(const std::string& path, const Json& value, const Place& place) {
+  const std::string between = "." + path + ".";
+  if (between.find("..") != std::string::npos || path.find('=') != std::string::npos)
+    place.fail(fmt::format("found \"{}\", expected a key of the case by dotted path like grid.cell_size", path));
+  return path + "=" + value.dump();
+}
 
 std::vector<std::string> assignments(const Node& node) {
   std::vector<std::string> all;
-  for (const auto& [path, value] : node.value.items()) all.push_back(assignment(path, value));
+  for (const auto& [path, value] : node.value.items()) all.push_back(assignment(path, value, node.place));
   return all;
 }
 
@@ -39,7 +46,7 @@ Study::Axis read_values(const Node& node) {
   Study::Axis axis{node.has("name") ? node["name"].as<std::string>() : path, {}};
   for (const Json& value : node["values"].value) {
     axis.choices.push_back(labelled(value));
-    axis.choices.back().settings.push_back(assignment(path, value));
+    axis.choices.back().settings.push_back(assignment(path, value, node["key"].place));
   }
   return axis;
 }
@@ -60,7 +67,7 @@ Study::Axis read_zip(const Node& node) {
       list.place.fail(
           fmt::format("found {} values, expected {} as under \"{}\"", list.size(), axis.choices.size(), label));
     for (std::size_t i = 0; i < list.size(); ++i)
-      axis.choices[i].settings.push_back(assignment(path, list.entry(i).value));
+      axis.choices[i].settings.push_back(assignment(path, list.entry(i).value, lists.place));
   }
   return axis;
 }
@@ -76,13 +83,12 @@ Study::Axis read_choices(const Node& node) {
 
 Study::Axis read_axis(const Node& node) {
   Study::Axis axis = node.has("choices") ? read_choices(node) : node.has("zip") ? read_zip(node) : read_values(node);
-  std::vector<std::string> labels;
-  for (const Study::Choice& choice : axis.choices) {
-    if (std::ranges::count(labels, choice.label))
+  std::set<std::string> labels;
+  std::set<double> numbers;
+  for (const Study::Choice& choice : axis.choices)
+    if (!labels.insert(choice.label).second || (choice.number && !numbers.insert(*choice.number).second))
       node.place.fail(
           fmt::format("found \"{}\" twice in the axis \"{}\", expected different entries", choice.label, axis.name));
-    labels.push_back(choice.label);
-  }
   return axis;
 }
 
@@ -134,11 +140,18 @@ Study::Reference read_reference(const Node& node) {
   return Study::Finest{};
 }
 
+/// A file that a study names, relative to its own.
+std::filesystem::path file_in(const Node& node, const std::filesystem::path& study) {
+  const auto name = node.as<std::string>();
+  if (name.empty()) node.place.fail("found \"\", expected the name of a file");
+  return study.parent_path() / name;
+}
+
 Study study_of(const Node& root, const std::filesystem::path& file) {
   Study study;
   study.file = file;
   study.title = root.has("title") ? root["title"].as<std::string>() : file.stem().string();
-  study.base = file.parent_path() / root["case"].as<std::string>();
+  study.base = file_in(root["case"], file);
   study.settings = assignments(root["set"]);
   study.axes = read_axes(root["sweep"]);
   study.refine = refined_axis(root, study.axes);
@@ -146,14 +159,15 @@ Study study_of(const Node& root, const std::filesystem::path& file) {
   if (root["budget"].has("seconds")) study.seconds = root["budget"]["seconds"].as<double>();
   if (root["budget"].has("memory")) study.memory = root["budget"]["memory"].as<double>();
   study.samples = root["samples"].as<int>();
+  if (study.samples == 1) root["samples"].place.fail("found 1, expected 0, or 2 and more as the case takes them");
   if (root.has("errors")) study.errors = root["errors"].as<std::vector<std::string>>();
   if (root.has("reference")) study.reference = read_reference(root["reference"]);
   if (std::holds_alternative<Study::Richardson>(study.reference.value_or(Study::Finest{})) &&
       (!study.refine || study.axes[*study.refine].choices.size() < 3))
     root["reference"].place.fail("found \"richardson\", expected an axis to refine with at least 3 entries beside it");
   if (root.has("outside"))
-    for (const Json& name : root["outside"].value)
-      study.outside.push_back(file.parent_path() / name.get<std::string>());
+    for (std::size_t i = 0; i < root["outside"].size(); ++i)
+      study.outside.push_back(file_in(root["outside"].entry(i), file));
   return study;
 }
 

@@ -57,8 +57,17 @@ std::vector<std::string> csv_cells(const StudyRow& row, const std::vector<std::s
   return cells;
 }
 
+/// A cell of a Markdown table: one line, bars escaped.
+std::string markdown_cell(const std::string& text) {
+  std::string cell;
+  for (const char c : text) cell += c == '|' ? std::string("\\|") : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
+  return cell;
+}
+
 std::string markdown_row(const std::vector<std::string>& cells) {
-  return fmt::format("| {} |\n", fmt::join(cells, " | "));
+  std::vector<std::string> escaped;
+  for (const std::string& cell : cells) escaped.push_back(markdown_cell(cell));
+  return fmt::format("| {} |\n", fmt::join(escaped, " | "));
 }
 
 /// A number of seconds with its spread, in as many digits as it has.
