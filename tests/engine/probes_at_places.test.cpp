@@ -65,7 +65,7 @@ TEST_CASE("patch test: a probe at a place inside, on an edge or in a corner is e
           CHECK(probe.history.front().position == place);
           for (const ProbeState& state : probe.history) {
             CHECK((state.displacement - patch.exact.displacement(place, state.t)).norm() <= 1e-11 * largest.norm());
-            CHECK((state.stress.value().head<3>() - state.t * stress).norm() <= 1e-11 * stress.norm());
+            CHECK((state.stress.value().head<3>() - state.t * stress).norm() <= 1e-10 * stress.norm());
           }
         }
       }
@@ -115,10 +115,12 @@ TEST_CASE("points that integrate alike give the same displacement and stress at 
     }
     return found;
   };
-  for (const double d : differences(1, 2, 5, true)) CHECK(d <= 1e-9);  // weights integrate the stiffness exactly
-  CHECK(differences(1, 2, 5, false)[0] >= 1e-2);
-  const std::vector<double> places = differences(2, 3, 8, true);
-  CHECK(places[0] <= 0.01 * differences(2, 3, 8, false)[0]);
+  CHECK(differences(1, 2, 5, false)[0] >= 1e-3);
+  for (const double there : differences(1, 2, 5, true))
+    CHECK(there <= 1e-11);                                // weights integrate the stiffness exactly
+  const double nearest = differences(2, 3, 8, false)[0];  // here, all but the highest mixed monomials
+  CHECK(nearest >= 1e-2);
+  for (const double there : differences(2, 3, 8, true)) CHECK(there <= 0.02 * nearest);
 }
 
 TEST_CASE("a place outside the body is refused, and one on its outline is not", "[engine][probes]") {
