@@ -11,8 +11,7 @@
 namespace shoreline {
 namespace {
 
-constexpr double on_outline = 1e-9;      ///< of a cell: a point this near to the outline lies on it
-constexpr double beside_outline = 0.01;  ///< of a cell: as far outside a listed point may lie, as a spline is no arc
+constexpr double on_outline = 1e-9;  ///< of a cell: a point this near to the outline lies on it
 
 CaseError piece_error(const Case& problem, int piece, const std::string& message) {
   return {problem.file.string(), fmt::format("/boundaries/{}", piece), message};
@@ -56,13 +55,8 @@ MaterialPoints listed_points(const std::vector<Case::ListedPoint>& listed, const
   Eigen::VectorXd volume(position.cols());
   for (std::size_t p = 0; p < listed.size(); ++p) {
     const Vec2& x = listed[p].position;
-    const char* missed = nullptr;
-    const std::optional<Index> cell = grid.locate(x, 0);
-    if (!cell) missed = "grid";
-    if (body != nullptr && !body->contains(x) && !body->near_outline(x, beside_outline * grid.size(cell.value_or(0))))
-      missed = "outline";
-    if (missed != nullptr)
-      throw InvalidArgument(fmt::format("point {} at ({:.6g}, {:.6g}) lies outside the {}", p, x.x(), x.y(), missed));
+    if (const char* left = left_by(x, grid, body))
+      throw InvalidArgument(fmt::format("point {} at ({:.6g}, {:.6g}) lies outside the {}", p, x.x(), x.y(), left));
     position.col(static_cast<Eigen::Index>(p)) = x;
     volume[static_cast<Eigen::Index>(p)] = listed[p].volume;
   }
@@ -129,6 +123,14 @@ MaterialPoints fill(const Case& problem, const std::vector<SplineCurve>& curves,
 }
 
 }  // namespace
+
+const char* left_by(const Vec2& place, const Grid& grid, const Region* body) {
+  constexpr double beside_outline = 0.01;  // of a cell
+  const std::optional<Index> cell = grid.locate(place, 0);
+  const auto beside = [&] { return body->near_outline(place, beside_outline * grid.size(cell.value_or(0))); };
+  if (body != nullptr && !body->contains(place) && !beside()) return "outline";
+  return cell ? nullptr : "grid";
+}
 
 std::unique_ptr<const Basis> basis_of(const Case& problem) {
   try {

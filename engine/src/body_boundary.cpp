@@ -24,6 +24,12 @@ void hold_point(const Essential& held, const std::vector<Vec2>& before, std::siz
 
 }  // namespace
 
+std::vector<SplineCurve> curves_at_start(const std::vector<BoundaryPiece>& boundary) {
+  std::vector<SplineCurve> curves;
+  for (const BoundaryPiece& b : boundary) curves.push_back(*b.original);
+  return curves;
+}
+
 void move_boundary(Scene& scene, const std::vector<Edge>& edges, const Eigen::Matrix2Xd& increment) {
   std::vector<std::vector<Vec2>> before;
   for (std::size_t k = 0; k < scene.boundary.size(); ++k) {

@@ -5,6 +5,9 @@
 
 namespace shoreline {
 
+/// The outline at the start, one curve a piece.
+[[nodiscard]] std::vector<SplineCurve> curves_at_start(const std::vector<BoundaryPiece>& boundary);
+
 /// Moves the tracking points with the material; pieces that were joined stay joined.
 /// @param edges      one a piece
 /// @param increment  (2, functions) displacement of the step [m]

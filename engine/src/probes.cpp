@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "body.hpp"
+#include "body_boundary.hpp"
+#include "shoreline/boundary/region.hpp"
 #include "shoreline/engine/failures.hpp"
 #include "shoreline/engine/scene.hpp"
 
@@ -25,8 +30,9 @@ ProbeState state(const Scene& scene, const Probe& probe, double t) {
     const Vec2& position = b.piece.points[probe.point];
     return {t, position, position - origin(*b.original, probe.point), std::nullopt};
   }
+  const MaterialPoints& points = probe.at_place ? scene.places.value() : scene.points;
   const auto p = static_cast<Eigen::Index>(probe.point);
-  return {t, scene.points.position.col(p), scene.points.displacement.col(p), Stress(scene.points.stress.col(p))};
+  return {t, points.position.col(p), points.displacement.col(p), Stress(points.stress.col(p))};
 }
 
 /// The point that is nearest to a place, without history.
@@ -51,10 +57,36 @@ Probe nearest(const Scene& scene, const Case::Probe& asked) {
 
 }  // namespace
 
+const char* followed_by(const Probe& probe) {
+  if (probe.at_place) return "place";
+  return probe.piece ? "tracking point" : "material point";
+}
+
+std::optional<MaterialPoints> places_of_probes(const Case& problem, const Scene& scene) {
+  if (std::ranges::none_of(problem.probes, &Case::Probe::at_place)) return std::nullopt;
+  const Region body(curves_at_start(scene.boundary));
+  std::vector<Vec2> places;
+  for (std::size_t i = 0; i < problem.probes.size(); ++i) {
+    if (!problem.probes[i].at_place) continue;
+    places.push_back(problem.probes[i].position);
+    if (const char* left = left_by(places.back(), scene.basis->grid(), &body))
+      throw CaseError(problem.file.string(), fmt::format("/probes/{}/position", i),
+                      fmt::format("found ({:.6g}, {:.6g}), outside the {}, for a probe at its very place; expected a "
+                                  "place in the body or on its outline; move it, or set \"at\" to \"nearest\"",
+                                  places.back().x(), places.back().y(), left));
+  }
+  const auto count = static_cast<Eigen::Index>(places.size());
+  return points_at(Eigen::Map<const Eigen::Matrix2Xd>(places.front().data(), 2, count), Eigen::VectorXd::Zero(count));
+}
+
 std::vector<Probe> place_probes(const Case& problem, const Scene& scene) {
   std::vector<Probe> probes;
+  std::size_t places = 0;
   for (std::size_t i = 0; i < problem.probes.size(); ++i) {
-    probes.push_back(nearest(scene, problem.probes[i]));
+    const Case::Probe& asked = problem.probes[i];
+    probes.push_back(asked.at_place
+                         ? Probe{.name = asked.name, .piece = {}, .point = places++, .history = {}, .at_place = true}
+                         : nearest(scene, asked));
     Probe& probe = probes.back();
     if (probe.piece && problem.respacing > 0.0)
       throw CaseError(

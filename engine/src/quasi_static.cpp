@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "body_boundary.hpp"
 #include "effects/slip_points.hpp"
 #include "estimate_at_end.hpp"
 #include "fitted_volumes.hpp"
 #include "motion_check.hpp"
 #include "move_points.hpp"
+#include "passive_points.hpp"
 #include "prescribed.hpp"
 #include "respace_pieces.hpp"
 #include "sample_points.hpp"
@@ -93,6 +96,14 @@ Resultants accept(const Scene& scene, const StepState& state, const Eigen::Matri
   return now;
 }
 
+void move_places(const StepMotion& motion, const std::vector<char>& active, Scene& scene) {
+  const auto name = [&](std::size_t k) {
+    const auto found = std::ranges::find_if(scene.probes, [k](const Probe& p) { return p.at_place && p.point == k; });
+    return fmt::format("probe \"{}\"", found->name);
+  };
+  move_passive(motion, active, name, *scene.places);
+}
+
 void run_step(Scene& scene, int step, const QuasiStaticOptions& options, Workspace& work, RunRecord& record) {
   Clock& clock = record.phases;
   work.supports =
@@ -130,6 +141,7 @@ void run_step(Scene& scene, int step, const QuasiStaticOptions& options, Workspa
     move_boundary(scene, edges, increment);
   });
   if (scene.samples) clock.time("errors", [&] { move_samples(motion, supports.active, *scene.samples); });
+  if (scene.places) clock.time("probes", [&] { move_places(motion, supports.active, scene); });
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ std::string probes_of(const Summary& summary) {
     const Vec2& at = probe.history.front().position;
     const Vec2& u = probe.history.back().displacement;
     text += fmt::format("  {:<20}{:>14.6g}{:>14.6g}  {} from ({:.6g}, {:.6g})\n", probe.name, u.x(), u.y(),
-                        probe.piece ? "tracking point" : "material point", at.x(), at.y());
+                        followed_by(probe), at.x(), at.y());
   }
   return summary.probes.empty() ? "" : text;
 }

@@ -16,16 +16,9 @@ namespace shoreline {
 /// @param across  sub-cells along the longer side of the box, at least 1
 [[nodiscard]] MaterialPoints place_samples(std::span<const SplineCurve> curves, int across);
 
-/// The cells whose polynomials serve the samples, and the basis there: the cell in which a sample lies or, where that
-/// holds no material, the nearest one that does, continued to the sample, as for boundary segments.
-///
+/// Carries the samples along with the material in a load step.
 /// @param active  (cells of the grid) those of the material points
 /// @throws ComputationError naming the first sample outside the grid and its position
-[[nodiscard]] PointSupports locate_samples(const Basis& basis, const std::vector<char>& active,
-                                           const MaterialPoints& samples);
-
-/// Carries the samples along with the material in a load step, as material points are.
-/// @throws ComputationError as locate_samples
 void move_samples(const StepMotion& motion, const std::vector<char>& active, MaterialPoints& samples);
 
 }  // namespace shoreline

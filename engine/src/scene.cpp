@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "body.hpp"
+#include "body_boundary.hpp"
 #include "conditions_on_piece.hpp"
 #include "sample_points.hpp"
 #include "scene_of_body.hpp"
@@ -95,7 +96,7 @@ ExactSolution to_solution(const Case& problem, const LoadFactor& factor) {
                     *problem.exact);
 }
 
-/// What load steps need, but for the samples.
+/// What load steps need, but for samples and probes.
 Scene scene_of_load_steps(const Case& problem) {
   const auto& analysis = std::get<QuasiStatic>(problem.analysis);
   const LoadFactor factor = load_factor(analysis);
@@ -113,15 +114,7 @@ Scene scene_of_load_steps(const Case& problem) {
     scene.contributions.push_back(body_force(force_per_volume(problem, factor)));
   add_boundary_effects(scene, law, problem.ghost);
   if (problem.ghost > 0.0) scene.contributions.push_back(ghost_penalty(problem.ghost, scene.material));
-  scene.probes = place_probes(problem, scene);
   return scene;
-}
-
-/// @param boundary  at the start
-MaterialPoints samples_on(const std::vector<BoundaryPiece>& boundary, int across) {
-  std::vector<SplineCurve> curves;
-  for (const BoundaryPiece& b : boundary) curves.push_back(*b.original);
-  return place_samples(curves, across);
 }
 
 }  // namespace
@@ -151,7 +144,13 @@ Scene build_scene(const Case& problem) {
 Scene build_scene(const Case& problem, Clock& phases) {
   Scene scene = phases.time("setup", [&] { return scene_of_load_steps(problem); });
   if (problem.samples)
-    scene.samples = phases.time("errors", [&] { return samples_on(scene.boundary, *problem.samples); });
+    scene.samples =
+        phases.time("errors", [&] { return place_samples(curves_at_start(scene.boundary), *problem.samples); });
+  if (!problem.probes.empty())
+    phases.time("probes", [&] {
+      scene.places = places_of_probes(problem, scene);
+      scene.probes = place_probes(problem, scene);
+    });
   return scene;
 }
 

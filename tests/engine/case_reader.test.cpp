@@ -218,6 +218,8 @@ TEST_CASE("probes and re-spacing are there only where asked for", "[engine][case
   CHECK(problem.probes[0].name == "tip");
   CHECK(problem.probes[0].position == Vec2(-1, 2));
   CHECK(problem.probes[1].name == "root");
+  CHECK_FALSE(problem.probes[0].at_place);
+  CHECK(with({R"(probes=[{"name": "tip", "position": [1, 2], "at": "place"}])"}).probes[0].at_place);
   CHECK(problem.respacing == 4.0);
 }
 
@@ -274,9 +276,9 @@ TEST_CASE("a grid of more cells than a machine holds is refused with their numbe
 TEST_CASE("schema and reference page name every key that a case may have", "[engine][case_reader]") {
   const std::string key =
       GENERATE("title", "plane", "youngs_modulus", "cell_size", "corners", "band", "hole", "per_cell", "gravity",
-               "ghost", "displacement", "condition_estimate", "cut_fractions", "error_estimate", "pictures", "load", "normal", "across",
-               "centre", "far_field_stress", "inner_radius", "probes", "position", "respace", "per_block", "seed",
-               "samples", "strain_energy");
+               "ghost", "displacement", "condition_estimate", "cut_fractions", "error_estimate", "pictures", "load",
+               "normal", "across", "centre", "far_field_stress", "inner_radius", "probes", "position", "respace",
+               "per_block", "seed", "samples", "strain_energy");
   CHECK_THAT(case_schema(), Contains("\"" + key + "\""));
   CHECK_THAT(case_format(), Contains("| `" + key + "` |"));
 }

@@ -106,12 +106,15 @@ TEST_CASE("the history of probes grows by what is new, whatever steps are saved"
     if (stressed) at.stress = Stress(k, k + 0.25, k + 0.5, k + 0.75);
     return at;
   };
-  std::vector<Probe> probes{{"left|1", std::nullopt, 0, {state(0, true)}}, {"tip", 1, 2, {state(0, false)}}};
+  std::vector<Probe> probes{{"left|1", std::nullopt, 0, {state(0, true)}},
+                            {"tip", 1, 2, {state(0, false)}},
+                            {"there", std::nullopt, 0, {state(0, true)}, false, true}};
   ResultsWriter writer(folder.path, "title", grid);
   writer.append(probes);
   for (int k = 1; k <= 600; ++k) {
     probes[0].history.push_back(state(k, true));
     probes[1].history.push_back(state(k, false));
+    probes[2].history.push_back(state(k, true));
     if (k % 7 == 0 || k == 600) writer.append(probes);
   }
   writer.append(probes);
@@ -132,9 +135,12 @@ TEST_CASE("the history of probes grows by what is new, whatever steps are saved"
     CHECK(position.values[2 * k + 1] == -number);
     CHECK(displacement.values[2 * k] == 2.0 * number);
   }
-  CHECK(names_in(folder.path, "probes") == std::vector<std::string>{"left|1", "tip"});
+  CHECK(names_in(folder.path, "probes") == std::vector<std::string>{"left|1", "there", "tip"});
   const hid_t file = H5Fopen((folder.path / "results.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   CHECK(H5Lexists(file, "probes/tip/stress", H5P_DEFAULT) == 0);
+  CHECK(text_attribute(file, "probes/left%7C1", "on") == "material point");
+  CHECK(text_attribute(file, "probes/tip", "on") == "tracking point");
+  CHECK(text_attribute(file, "probes/there", "on") == "place");
   H5Fclose(file);
 }
 

@@ -13,6 +13,7 @@
 #include "shoreline/boundary/short_forms.hpp"
 #include "shoreline/engine/failures.hpp"
 #include "shoreline/engine/quasi_static.hpp"
+#include "shoreline/engine/report.hpp"
 #include "shoreline/engine/strain_energy.hpp"
 
 using namespace shoreline;
@@ -156,14 +157,18 @@ TEST_CASE("the radii of a thick cylinder are measured on its arcs alone", "[engi
 TEST_CASE("probes are followed at every step, whatever steps are saved", "[engine][run]") {
   const OutputFolder folder;
   Case problem = small_square(5);
-  problem.probes = {{"centre", Vec2::Zero()}, {"corner", Vec2(0.07, 0.07)}};
+  problem.probes = {{"centre", Vec2::Zero()}, {"corner", Vec2(0.07, 0.07)}, {"side", Vec2(0.03, 0.01), true}};
   problem.output.every = 4;
   const Summary summary = run(problem, {.output = folder.path, .quiet = true});
-  REQUIRE(summary.probes.size() == 2);
+  REQUIRE(summary.probes.size() == 3);
   const ProbeState& last = summary.probes[0].history.back();
   const Json json = summary_in(folder.path)["probes"];
   CHECK(json["centre"]["on"] == "material point");
   CHECK(json["corner"]["on"] == "tracking point");
+  CHECK(json["side"]["on"] == "place");
+  CHECK(json["side"]["at"] == std::vector{0.03, 0.01});
+  CHECK(json["side"]["stress"][1] < 0.0);
+  CHECK_THAT(report(summary, folder.path), Contains("place from (0.03, 0.01)"));
   CHECK(json["centre"]["displacement"] == std::vector{last.displacement.x(), last.displacement.y()});
   CHECK(json["centre"]["displacement"][1] < 0.0);
 

@@ -4,11 +4,10 @@
 
 #include <catch2/catch.hpp>
 
+#include "../../engine/src/passive_points.hpp"
 #include "../../engine/src/sample_points.hpp"
 #include "../../engine/src/threads.hpp"
-#include "../every_grid.hpp"
-#include "../scenes.hpp"
-#include "shoreline/engine/defaults.hpp"
+#include "../patch_square.hpp"
 #include "shoreline/engine/failures.hpp"
 #include "shoreline/engine/linear_solver.hpp"
 
@@ -26,26 +25,12 @@ RunRecord run(Scene& scene) {
 
 ErrorNorms at_samples(const Scene& scene) { return error_norms(scene.samples.value(), scene.exact.value(), 1.0); }
 
-/// A square across the lines of a grid, under a pressure that makes its displacement linear; strains of 1e-12.
-Scene patch(const Case::Grid& grid, int steps, Loading loading, bool projected = false) {
-  const test::CompressionSquare square{.angle = 0.4,
-                                       .shift = Vec2(0.03, -0.02),
-                                       .side = 1.0,
-                                       .band = nitsche_band(grid.basis),
-                                       .method = EssentialMethod::nitsche,
-                                       .ghost = ghost_for_nitsche(grid.basis, grid.degree),
-                                       .load = 1e-6,
-                                       .steps = steps,
-                                       .loading = loading};
-  Case problem = test::compression_case(square);
-  std::vector<Vec2> corners;
-  for (const Case::Boundary& side : problem.boundaries) corners.push_back(side.piece.points.front());
-  problem.grid = grid;
-  problem.material.projected_dilatation = projected;
-  problem.material_points = test::patch_points(grid, corners);
-  problem.samples = 13;
-  Scene scene = build_scene(problem);
-  scene.exact = test::compression_square(square).exact;
+/// The patch test with sample points.
+Scene patch(const Case::Grid& grid, int steps, Loading loading, bool projected) {
+  test::PatchSquare square = test::patch_square(grid, steps, loading, projected);
+  square.problem.samples = 13;
+  Scene scene = build_scene(square.problem);
+  scene.exact = square.exact;
   return scene;
 }
 
@@ -166,7 +151,8 @@ TEST_CASE("a sample in a cell without points has the polynomials of the nearest 
     problem.samples = 50;
     Scene scene = build_scene(problem);
     const PointSupports points = locate_points(*scene.basis, scene.points);
-    const PointSupports served = locate_samples(*scene.basis, points.active, *scene.samples);
+    const PointSupports served =
+        locate_passive(*scene.basis, points.active, *scene.samples, [](std::size_t) { return ""; });
     for (const Index cell : served.cell) REQUIRE(points.active[static_cast<std::size_t>(cell)]);
     Index elsewhere = 0;
     for (Index p = 0; p < scene.samples->size(); ++p) {

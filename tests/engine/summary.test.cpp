@@ -142,6 +142,7 @@ TEST_CASE("probes and fits of prescribed displacements appear only where there a
   const ProbeState start{.t = 0.0, .position = Vec2(1, 2), .displacement = Vec2(0, 0), .stress = {}};
   ProbeState end{.t = 1.0, .position = Vec2(4, 6), .displacement = Vec2(3, 4), .stress = Stress(5, 6, 7, 8)};
   summary.probes.push_back({"inside", std::nullopt, 9, {start, end}});
+  summary.probes.push_back({"there", std::nullopt, 0, {start, end}, false, true});
   end.stress.reset();
   end.velocity = Vec2(9, 10);
   summary.probes.push_back({"tip", 2, 9, {start, end}});
@@ -150,6 +151,7 @@ TEST_CASE("probes and fits of prescribed displacements appear only where there a
   CHECK(json["displacement_fit"] == Json::parse(R"({"edge": {"l2": 0.001, "mean": 0.002}})"));
   CHECK(json["probes"]["inside"] == Json::parse(R"({"on": "material point", "at": [1.0, 2.0], "position": [4.0, 6.0],
                                                     "displacement": [3.0, 4.0], "stress": [5.0, 6.0, 7.0, 8.0]})"));
+  CHECK(json["probes"]["there"]["on"] == "place");
   CHECK(json["probes"]["tip"] == Json::parse(R"({"on": "tracking point", "at": [1.0, 2.0], "position": [4.0, 6.0],
                                                  "displacement": [3.0, 4.0], "velocity": [9.0, 10.0]})"));
 }

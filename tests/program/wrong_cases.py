@@ -30,7 +30,7 @@ CASE = {
     "constants": {"p": 1000.0},
     "exact": {"type": "expressions", "displacement": [0, "p*y"], "stress": [0, "p", 0]},
     "samples": 20,
-    "probes": [{"name": "tip", "position": [1, 0]}, {"name": "root", "position": [-1, 0]}],
+    "probes": [{"name": "tip", "position": [1, 0], "at": "place"}, {"name": "root", "position": [-1, 0]}],
     "tracking": {"respace": 4.0},
     "solver": {"threads": 1},
     "diagnostics": {"condition_estimate": True, "cut_fractions": False, "strain_energy": True, "error_estimate": True},
@@ -114,7 +114,7 @@ OTHERS = [("grid", {"cells": "triangle", "basis": "linear", "pattern": "four", "
           ("exact", {"type": "thick_cylinder", "inner_radius": 1.0, "outer_radius": 5.0, "pressure": 1e6})]
 
 OPTIONAL = {"title", "load_steps", "load", "loading", "density", "cells", "basis", "degree", "pattern", "corners", "condition", "method", "band",
-            "fill", "volumes", "body_force", "gravity", "ghost", "constants", "exact", "samples", "strain_energy", "probes", "tracking", "respace",
+            "fill", "volumes", "body_force", "gravity", "ghost", "constants", "exact", "samples", "strain_energy", "probes", "at", "tracking", "respace",
             "centre", "seed", "solver", "threads", "diagnostics", "condition_estimate", "cut_fractions", "error_estimate", "output", "every", "pictures", "hole", "p",
             "gradient", "mass"}
 OPTIONAL_IN_DYNAMICS = {"time_step", "safety", "transfer", "damping", "leaving", "boundaries", "initial_velocity",
@@ -282,6 +282,7 @@ def wrong_values():
         ("probes/1/name", "tip", "the name of probe 0", False),
         ("probes/0/position", [0], "list of 2", True),
         ("probes/0/position/1", -1e30, "-1e+09", True),
+        ("probes/0/at", "plcae", 'nearest: "place"', True),
         ("tracking", 4, "an object", True),
         ("tracking/respace", 1, "> 1", True),
         ("tracking/respace", 1e300, "1e+06", True),
@@ -361,6 +362,12 @@ def wrong_together():
                 "/material_points/volumes", ["2 volumes", "1 point"], False)
     yield Wrong("a negative volume", replaced("material_points", {"points": [[0, 0]], "volumes": [-1]}),
                 "/material_points/volumes/0", ["found -1", "> 0"], True)
+    disc = {key: CASE[key] for key in ("analysis", "material", "grid", "material_points", "constants")}
+    disc["boundaries"] = [{"name": "edge", "circle": {"centre": [0, 0], "radius": 1}}]
+    for place in ([1.1, 0], [9, 9]):
+        probes = [{"name": "far", "position": [9, 9]}, {"name": "off", "position": place, "at": "place"}]
+        yield Wrong(f"a probe at {place}", json.dumps({**disc, "probes": probes}), "/probes/1/position",
+                    [f"found ({place[0]}, {place[1]}), outside the outline", "expected", '"nearest"'], False)
     yield Wrong("gravity without density", changed("material/density", lambda at, last: at.pop(last)),
                 "/gravity", ["density"], False)
 
@@ -534,6 +541,8 @@ def wrong_dynamics():
                True) for key in ("tracking", "samples")],
             ("dynamics with a condition estimate", {**DYNAMICS, "diagnostics": {"condition_estimate": True}},
              "/diagnostics", ['unknown key "condition_estimate"'], True),
+            ("a probe at a place in dynamics", {**DYNAMICS, "probes": [{**DYNAMICS["probes"][0], "at": "place"}]},
+             "/probes/0", ['unknown key "at"'], True),
             ("a ghost mass beside a lumped mass", {**DYNAMICS, "ghost": 1e-3}, "/ghost", ["lumping erases", "consistent"],
              False),
             *[(f"dynamics with analysis.{key}", {**DYNAMICS, "analysis": {**DYNAMICS["analysis"], key: value}},

@@ -144,7 +144,8 @@ std::vector<Case::Probe> read_probes(const Node& node) {
   std::map<std::string, std::size_t> seen;
   for (std::size_t i = 0; i < node.size(); ++i) {
     const Node entry = node.entry(i);
-    probes.push_back({entry["name"].as<std::string>(), entry["position"].vector()});
+    const bool at_place = entry.has("at") && entry["at"].is("place");
+    probes.push_back({entry["name"].as<std::string>(), entry["position"].vector(), at_place});
     const auto [before, is_new] = seen.emplace(probes.back().name, i);
     if (!is_new)
       entry["name"].place.fail(

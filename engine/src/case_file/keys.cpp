@@ -97,10 +97,16 @@ Schema exact(bool dynamic) {
   return {Tagged{{{"plate_with_hole", plate}, {"thick_cylinder", cylinder}, {"expressions", expressions}}}};
 }
 
-Schema probe() {
-  return {Object{{key("name", {Name{}}, required, "", "name in results; no two alike"),
-                  key("position", position(), required, "m", "place at the start")},
-                 {}}};
+Schema probe(bool dynamic) {
+  Object probe{{key("name", {Name{}}, required, "", "name in results; no two alike"),
+                key("position", position(), required, "m", "place at the start")},
+               {}};
+  if (!dynamic)
+    probe.keys.push_back(
+        key("at", {Choice{{"nearest", "place"}}}, otherwise("nearest"), "",
+            "what is followed: the nearest material point or tracking point, or the material at that very place, "
+            "which is the same one whatever the points are"));
+  return {probe};
 }
 
 Schema tracking() {
@@ -181,8 +187,9 @@ Object quasi_static_case() {
            "errors are measured at a lattice of sample points, this many along the longer side of the body's bounding "
            "box, carried along with the material, instead of at the material points: the same places and weights "
            "whatever the grid, the basis and the points; needs `exact`"),
-       key("probes", list(probe(), 1, 100000), optional, "",
-           "history of the material point or tracking point nearest to a place, saved at every step"),
+       key("probes", list(probe(false), 1, 100000), optional, "",
+           "history of the material point or tracking point nearest to a place, or of the material there, saved at "
+           "every step"),
        settings("tracking", tracking(), "how tracking points are kept"),
        settings("solver", solver(), "how systems are solved"),
        settings("diagnostics", diagnostics(), "measured only where asked for"),
@@ -217,7 +224,7 @@ Object dynamic_case() {
            "over time with `history`"),
        key("history", history(), optional, "",
            "energies and momentum over time, and how often probes are recorded; without it, probes are at every step"),
-       key("probes", list(probe(), 1, 100000), optional, "",
+       key("probes", list(probe(true), 1, 100000), optional, "",
            "history of the material point or tracking point nearest to a place"),
        settings("solver", solver(), "how systems are solved"),
        settings("diagnostics", Schema{Object{{error_estimate()}, {}}}, "measured only where asked for"),

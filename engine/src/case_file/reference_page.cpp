@@ -57,6 +57,11 @@ std::string table_of(const Section& section) {
   return table;
 }
 
+/// Whether a page has a section with these rows and no more.
+bool holds(const std::string& page, const std::string& section) {
+  return page.ends_with(section) || page.find(section + "\n") != std::string::npos;
+}
+
 /// A heading, the keys, and every object below them; each once.
 /// @param whole     heading of the outermost keys
 /// @param analysis  that has these keys: said where another has other keys under the same heading
@@ -65,9 +70,9 @@ void print(const Section& section, const std::string& whole, const std::string& 
   const std::string with = section.condition.empty() ? "" : " with " + section.condition;
   const std::string table = table_of(section);
   std::string heading = "\n## " + of + with;
-  if (page.find(heading + table) != std::string::npos) return;
+  if (holds(page, heading + table)) return;
   if (page.find(heading + "\n") != std::string::npos) heading += ", where " + analysis;
-  if (page.find(heading + table) != std::string::npos) return;
+  if (holds(page, heading + table)) return;
   page += heading + table;
   for (const Key& key : section.object->keys) {
     std::vector<Section> below;

@@ -112,7 +112,7 @@ void append_states(Hdf5File& file, const Probe& probe, std::span<const ProbeStat
   if (!file.contains("/probes") || !file.contains(group)) {
     file.make_group(group);
     file.set_attribute(group, "name", probe.name);
-    file.set_attribute(group, "on", probe.piece ? "tracking point" : "material point");
+    file.set_attribute(group, "on", followed_by(probe));
   }
   append_each(file, group + "/t", unit_of_time, states, &ProbeState::t);
   append_each(file, group + "/position", "m", states, &ProbeState::position);

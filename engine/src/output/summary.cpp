@@ -71,7 +71,7 @@ Json list(const Eigen::VectorXd& numbers) { return std::vector<double>(numbers.b
 
 Json probe(const Probe& probe) {
   const ProbeState& last = probe.history.back();
-  Json json = {{"on", probe.piece ? "tracking point" : "material point"},
+  Json json = {{"on", followed_by(probe)},
                {"at", list(probe.history.front().position)},
                {"position", list(last.position)},
                {"displacement", list(last.displacement)}};

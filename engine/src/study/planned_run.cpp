@@ -39,6 +39,13 @@ void set_unless_there(Json& json, const std::string& pointer, const Json& value)
   if (const Json::json_pointer at(pointer); !json.contains(at)) json[at] = value;
 }
 
+/// Probes at the same places in all runs: the nearest points differ from one run to the next.
+void fix_probes(Json& json) {
+  if (json.contains("probes") && json["probes"].is_array())
+    for (Json& probe : json["probes"])
+      if (probe.is_object() && !probe.contains("at")) probe["at"] = "place";
+}
+
 /// What makes runs comparable and their clock fair.
 void make_fair(const Study& study, const Json& base, std::optional<int> threads, Json& json) {
   const bool quasi_static = analysis_of(json) == "quasi_static";
@@ -46,6 +53,7 @@ void make_fair(const Study& study, const Json& base, std::optional<int> threads,
   set_unless_there(json, "/solver/threads", omp_get_num_procs());
   if (json["solver"]["threads"] == 0) json["solver"]["threads"] = omp_get_num_procs();
   if (quasi_static && json.contains("exact") && study.samples > 0) set_unless_there(json, "/samples", study.samples);
+  if (quasi_static) fix_probes(json);
   if (quasi_static && reference_of(study, base)) set_unless_there(json, "/diagnostics/strain_energy", true);
 }
 

@@ -22,8 +22,8 @@ struct PreparedCase {
   std::string fault;  ///< why it cannot be made; else empty
 };
 
-/// The study's own changes (no pictures, first and last step saved, threads fixed, sample points, strain energy where
-/// runs are compared with a reference), then @p settings.
+/// The study's own changes (no pictures, first and last step saved, threads fixed, sample points, probes at their
+/// places, strain energy where runs are compared with a reference), then @p settings.
 ///
 /// @param base     the case file as JSON
 /// @param threads  of the run, 0: all cores; none: as the case says, else all cores

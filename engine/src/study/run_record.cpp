@@ -22,7 +22,7 @@ namespace shoreline {
 namespace {
 
 /// Phases that only tell of a run: what a user who wants the solution alone would not wait for.
-constexpr std::array telling{"total", "output", "pictures", "errors", "diagnostics", "condition", "estimate"};
+constexpr std::array telling{"total", "output", "pictures", "errors", "probes", "diagnostics", "condition", "estimate"};
 
 /// 64 bits of a text, FNV-1a (Fowler, Noll & Vo).
 std::string hash_of(const std::string& text) {

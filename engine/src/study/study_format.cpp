@@ -34,13 +34,14 @@ that change together, each with a list (`zip`); or named `choices` that set any 
 coarse to fine, and the other axes name the lines of pictures.
 
 **A fair clock.** Runs are processes of their own, one after the other, all with the same number of threads. The time of
-a run is that of the whole run but for what only tells of it: output, pictures, errors, diagnostics, estimates. The
-first run of a call is made once more beforehand, unrecorded, so that it does not find the machine cold. With `repeat`
-the median counts, and the least and greatest are told.
+a run is that of the whole run but for what only tells of it: output, pictures, errors, probes, diagnostics, estimates.
+The first run of a call is made once more beforehand, unrecorded, so that it does not find the machine cold. With
+`repeat` the median counts, and the least and greatest are told.
 
 **The same device.** Where cases have an exact solution, errors are measured at `samples`, the same places with the
 same weights in every run. Without one, runs are compared with a `reference`: `|q - q_ref|/|q_ref|` for displacement and
-stress of each probe, the displacement of each boundary curve, each piece's reaction, and the energy.
+stress of each probe (in quasi-static cases of the material `at` its `place`, unless the case says otherwise), the
+displacement of each boundary curve, each piece's reaction, and the energy.
 
 **Failures.** A run that fails, crashes, or takes more time or memory than the `budget` is a row with its reason. The
 exit status is 0 with a count of failures, 1 if every run failed.

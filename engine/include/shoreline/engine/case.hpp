@@ -111,7 +111,8 @@ struct Case {
   /// Asks for the history of the material point or tracking point that is nearest to a place at the start.
   struct Probe {
     std::string name;
-    Vec2 position;  ///< [m]
+    Vec2 position;          ///< [m]
+    bool at_place = false;  ///< instead of the material at that very place; load steps alone
   };
   struct Output {
     int every = 1;  ///< steps between saved ones, the last is always saved; 0: every fiftieth of the time in dynamics
@@ -142,8 +143,8 @@ struct Case {
   double respacing = 0.0;  ///< tracking points are re-spaced where chords differ by more than this factor; 0: never
   int threads = 0;         ///< 0: all cores
   bool condition_estimate = false;
-  bool cut_fractions = false;  ///< and what else tells where the system is weak
-  bool strain_energy = false;  ///< (E.6)
+  bool cut_fractions = false;   ///< and what else tells where the system is weak
+  bool strain_energy = false;   ///< (E.6)
   bool error_estimate = false;  ///< of the stress at the end
   Output output;
 };

@@ -26,7 +26,7 @@ namespace shoreline {
 ///     probes/NAME/t                   (steps + 1), whatever steps are saved above; [s] in dynamics
 ///     probes/NAME/position            (steps + 1, 2) [m]
 ///     probes/NAME/displacement        (steps + 1, 2) [m]
-///     probes/NAME/stress              (steps + 1, 4) xx, yy, xy, zz [Pa]; of material points alone
+///     probes/NAME/stress              (steps + 1, 4) xx, yy, xy, zz [Pa]; not of tracking points
 ///     probes/NAME/velocity            (steps + 1, 2) [m/s]; dynamics alone
 ///     probes/NAME/exact_displacement  (steps + 1, 2) [m]; dynamics with an exact solution alone
 ///     probes/NAME/exact_velocity      (steps + 1, 2) [m/s]; likewise

@@ -39,6 +39,7 @@ struct Scene {
   double respacing = 0.0;  ///< ratio of chords beyond which tracking points are re-spaced; 0: never
   std::optional<ExactSolution> exact;
   std::optional<MaterialPoints> samples;  ///< where errors are measured, (N.9), if not at the points; carry no load
+  std::optional<MaterialPoints> places;   ///< of probes at a place, in their order; carry no load
   std::vector<Probe> probes;              ///< with their history, to which load steps add
 };
 
@@ -46,7 +47,8 @@ struct Scene {
 /// @throws CaseError with the key at fault where the outline does not bound a body inside the grid, or holds no points
 [[nodiscard]] Scene build_scene(const Case& problem);
 
-/// The same, with its time booked: that of the sample points under "errors", all else under "setup".
+/// The same, with its time booked: that of the sample points under "errors", of probes under "probes", all else under
+/// "setup".
 [[nodiscard]] Scene build_scene(const Case& problem, Clock& phases);
 
 /// What pieces with method `grid` prescribe at one step, (C.3), as components that others give; each once.
