@@ -45,12 +45,7 @@ bool changes(const std::vector<std::string>& more, const std::string& what) {
   return std::ranges::any_of(more, [&](const std::string& setting) { return setting.find(what) != std::string::npos; });
 }
 
-RunResult with_error(double error) {
-  RunResult result;
-  result.completed = true;
-  result.summary = {{"errors", {{"stress", {{"l2_relative", error}}}}}};
-  return result;
-}
+StudyRow with_error(double error) { return study_row("refined", 0.25, {{norm, error}}, 1.0); }
 
 StudyRow row(const std::string& line, double h, double error, double seconds) {
   return study_row(line, h, {{norm, error}}, seconds);
@@ -77,17 +72,32 @@ TEST_CASE("the cheapest setting that holds on a shifted grid is chosen, and chea
     if (!changes(more, "grid.lower")) return with_error(0.009);
     shifted.push_back(plan.line);
     if (plan.line == "lucky") return with_error(0.02);
-    RunResult result = with_error(0.0095);
-    result.completed = plan.line != "failing";
-    if (!result.completed) result.reason = "it crashed there";
-    return result;
+    return plan.line == "failing" ? failed(with_error(0.0095), "it crashed there") : with_error(0.0095);
   };
   const Answer found = answer(table, {norm, 0.01}, case_of, run);
   CHECK(found.chosen == 1);
   CHECK(shifted == std::vector<std::string>{"lucky", "failing", "good"});
-  CHECK_THAT(found.text, Contains("not basis lucky, grid.cell_size 0.25: on a shifted grid 2.00e-02"));
+  CHECK_THAT(found.text,
+             Contains("not basis lucky, grid.cell_size 0.25: on a grid shifted by (0.37, 0.21) cells 2.00e-02"));
   CHECK_THAT(found.text, Contains("not basis failing, grid.cell_size 0.25: on a shifted grid it crashed there"));
   CHECK_THAT(found.text, Contains("basis good, grid.cell_size 0.25") && !Contains("not basis good"));
+}
+
+TEST_CASE("a setting whose grid has no other place is chosen without a look there, and the answer says so",
+          "[engine][study]") {
+  const auto on_lines = [](const PlannedRun& plan) {
+    Json json = case_of(plan);
+    json["boundaries"][1]["condition"] = {{"type", "roller"}, {"method", "grid"}};
+    return json;
+  };
+  const StudyTable table = study_table({row("held", 0.25, 0.01, 1.0)});
+  const RunMore run = [](const PlannedRun&, const std::vector<std::string>& more) {
+    CHECK_FALSE(changes(more, "grid.lower"));
+    return with_error(0.01);
+  };
+  const Answer found = answer(table, {norm, 0.01}, on_lines, run);
+  CHECK(found.chosen == 0);
+  CHECK_THAT(found.text, Contains("not tried on a shifted grid"));
 }
 
 TEST_CASE("an error that is just the tolerance meets it", "[engine][study]") {
@@ -168,10 +178,8 @@ TEST_CASE("the part whose refinement leaves the least error dominates", "[engine
 TEST_CASE("a part whose refined run fails does not dominate", "[engine][study]") {
   const StudyTable table = study_table({row("line", 0.25, 0.01, 1.0)});
   const RunMore run = [](const PlannedRun&, const std::vector<std::string>& more) {
-    RunResult result = with_error(changes(more, "cell_size") ? 0.001 : changes(more, "band") ? 0.005 : 0.01);
-    result.completed = !changes(more, "cell_size");
-    result.reason = result.completed ? "" : "out of memory";
-    return result;
+    if (changes(more, "cell_size")) return failed(with_error(0.001), "out of memory");
+    return with_error(changes(more, "band") ? 0.005 : 0.01);
   };
   const Answer found = answer(table, {norm, 0.01}, case_of, run);
   CHECK(found.dominant == "band");

@@ -254,6 +254,8 @@ def without_an_exact_solution_runs_are_compared():
     for name in ("energy", "probe.edge.displacement", "probe.middle.displacement"):
         exact = own["rows"][2]["errors"][name]
         assert abs(limit["rows"][2]["errors"][name] / exact - 1) < 0.1, name
+    picked = run(study("finest", case, sweep), "--tolerance", "energy=1e-2")["tolerance"]
+    assert picked["dominant"] == "grid" and picked["error_left"]["grid"] < 1e-2, picked
     assert "Richardson" in limit["device"] and "of their own" in own["device"]
 
 

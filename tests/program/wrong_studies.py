@@ -88,7 +88,7 @@ def wrong_values():
         ("sweep/2/values", 0.5, "", "a list", True),
         ("sweep/2/values", list(range(1, 10002)), "", "a list of 10001, expected at most 10000", True),
         ("sweep/2/values", [0.5, 0.25, 0.5], "@/sweep/2", '"0.5" twice', False),
-        ("sweep/2/values", [1, 1.0], "@/sweep/2", '"1.0" twice', False),
+        ("sweep/2/values", [1, 1.0], "@/sweep/2", '"1" twice', False),
         ("sweep/2/values", [0.5, -0.25], "@/refine", "numbers > 0", False),
         ("sweep/2/name", "degree", "@/sweep/2", 'second axis "degree"', False),
         ("refine", "cell", "", 'nearest: "cells"', False),

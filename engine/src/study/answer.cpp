@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "case_file/nearest.hpp"
-#include "quantities.hpp"
 #include "refinements.hpp"
 #include "shoreline/engine/failures.hpp"
 
@@ -81,17 +80,21 @@ std::string next_digits(const StudyTable& table, const Tolerance& tolerance, dou
 
 /// The error on a shifted grid, or why there is none.
 struct Verified {
+  bool possible;
   std::optional<double> error;
-  std::string reason;
+  std::string words;
 };
 
 Verified verified(const StudyRow& row, const std::string& norm, const Json& json, const RunMore& run) {
   const std::vector<std::string> shift = shifted_grid(json);
-  if (shift.empty()) return {std::nullopt, "its mesh cannot be shifted"};
-  const RunResult result = run(row.plan, shift);
-  if (!result.completed) return {std::nullopt, result.reason};
-  const auto error = error_in(norms_of(result.summary), norm);
-  return {error, error ? "" : "that run has no such error"};
+  if (shift.empty())
+    return {false, {}, "not tried on a shifted grid: a mesh, or supports on grid lines, leave it no other place"};
+  const StudyRow shifted = run(row.plan, shift);
+  if (!shifted.result.completed) return {true, {}, "on a shifted grid " + shifted.result.reason};
+  const auto error = error_in(shifted.norms, norm);
+  return {true, error,
+          error ? fmt::format("on a grid shifted by (0.37, 0.21) cells {:.2e}", *error)
+                : "on a shifted grid it has no such error"};
 }
 
 /// What remains of the error with each part refined.
@@ -101,10 +104,10 @@ void attribute(const StudyRow& row, const std::string& norm, const Json& json, c
   std::string text = fmt::format("  {:<18}{:>12}{:>10}\n", "part refined", "error left", "share");
   double least = telling * error;
   for (const Refinement& refinement : refinements_of(json)) {
-    const RunResult result = run(row.plan, refinement.settings);
-    const auto left = error_in(norms_of(result.summary), norm);
-    if (!result.completed || !left) {
-      text += fmt::format("  {:<18}{:>12}  {}\n", refinement.part, "failed", result.reason);
+    const StudyRow refined = run(row.plan, refinement.settings);
+    const auto left = error_in(refined.norms, norm);
+    if (!left) {
+      text += fmt::format("  {:<18}{:>12}  {}\n", refinement.part, "failed", refined.result.reason);
       continue;
     }
     text += fmt::format("  {:<18}{:>12.2e}{:>8.0f} %\n", refinement.part, *left, 100.0 * *left / error);
@@ -119,13 +122,12 @@ void attribute(const StudyRow& row, const std::string& norm, const Json& json, c
   found.text += text;
 }
 
-std::string chosen_text(const StudyTable& table, const Tolerance& tolerance, const StudyRow& row, double shifted) {
-  return fmt::format(
-      "the cheapest setting with {} <= {:g}: {}\n  {:.2e}, on a grid shifted by (0.37, 0.21) cells {:.2e}; {:.3g} s, "
-      "{} "
-      "points, {} unknowns\n",
-      tolerance.norm, tolerance.value, setting_of(table, row), *error_in(row.norms, tolerance.norm), shifted,
-      seconds_of(row), row.result.summary["material_points"].dump(), row.result.summary["degrees_of_freedom"].dump());
+std::string chosen_text(const StudyTable& table, const Tolerance& tolerance, const StudyRow& row,
+                        const Verified& shifted) {
+  return fmt::format("the cheapest setting with {} <= {:g}: {}\n  {:.2e}, {}; {:.3g} s, {} points, {} unknowns\n",
+                     tolerance.norm, tolerance.value, setting_of(table, row), *error_in(row.norms, tolerance.norm),
+                     shifted.words, seconds_of(row), row.result.summary["material_points"].dump(),
+                     row.result.summary["degrees_of_freedom"].dump());
 }
 
 void check_norm(const StudyTable& table, const std::string& norm) {
@@ -148,15 +150,13 @@ Answer answer(const StudyTable& table, const Tolerance& tolerance,
     const StudyRow& row = table.rows[r];
     const Json json = base_of(row.plan);
     const Verified shifted = verified(row, tolerance.norm, json, run);
-    if (shifted.error && *shifted.error <= tolerance.value) {
+    if (!shifted.possible || (shifted.error && *shifted.error <= tolerance.value)) {
       found.chosen = r;
-      found.text =
-          chosen_text(table, tolerance, row, *shifted.error) + unmet + next_digits(table, tolerance, seconds_of(row));
+      found.text = chosen_text(table, tolerance, row, shifted) + unmet + next_digits(table, tolerance, seconds_of(row));
       attribute(row, tolerance.norm, json, run, found);
       return found;
     }
-    unmet += fmt::format("  not {}: on a shifted grid {}\n", setting_of(table, row),
-                         shifted.error ? fmt::format("{:.2e}", *shifted.error) : shifted.reason);
+    unmet += fmt::format("  not {}: {}\n", setting_of(table, row), shifted.words);
   }
   found.text = fmt::format("no setting of this study has {} <= {:g}{}\n{}", tolerance.norm, tolerance.value,
                            rows.empty() ? "" : " on a shifted grid, too", unmet);

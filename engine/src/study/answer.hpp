@@ -15,10 +15,11 @@ struct Answer {
   std::string text;                          ///< for people
 };
 
-/// Runs what a study's options ask for beside its rows: the result of a case with further settings.
-using RunMore = std::function<RunResult(const PlannedRun& plan, const std::vector<std::string>& more)>;
+/// Makes a run beside the rows of a study, of a row's case with further settings, with its errors as rows have them.
+using RunMore = std::function<StudyRow(const PlannedRun& plan, const std::vector<std::string>& more)>;
 
-/// Looks for the cheapest row whose error is within the tolerance and stays so on a shifted grid, and refines each part
+/// Looks for the cheapest row whose error is within the tolerance and stays so on a shifted grid (where the grid can be
+/// shifted), and refines each part
 /// of its discretisation in turn: the part whose refinement leaves the least error dominates.
 ///
 /// @param base_of  the case of a plan, as it ran

@@ -30,9 +30,10 @@ std::string name_of(const StudyRow& row) { return fmt::format("{}", fmt::join(ro
 std::optional<Eigen::VectorXd> limit_of(const Eigen::VectorXd& q1, const Eigen::VectorXd& q2,
                                         const Eigen::VectorXd& q3) {
   if (q1.size() != q2.size() || q2.size() != q3.size()) return std::nullopt;
+  if (q2 == q3) return q3;
   const double growth = (q2 - q1).norm() / (q3 - q2).norm();
   if (!(growth > 1.0)) return std::nullopt;
-  return std::isfinite(growth) ? Eigen::VectorXd(q3 + (q3 - q2) / (growth - 1.0)) : q3;
+  return q3 + (q3 - q2) / (growth - 1.0);
 }
 
 /// Completed rows on the line of one.
@@ -82,18 +83,15 @@ Comparison richardson_limit(const std::vector<StudyRow>& rows) {
   return {"differences from the Richardson limit of " + name, limits, {}};
 }
 
-void compare(const Comparison& comparison, std::vector<StudyRow>& rows) {
-  if (comparison.quantities.is_null()) return;
-  for (std::size_t r = 0; r < rows.size(); ++r) {
-    if (r == comparison.row || !rows[r].result.completed) continue;
-    for (const auto& [name, value] : rows[r].result.quantities.items()) {
-      if (!comparison.quantities.contains(name)) continue;
-      const Eigen::VectorXd mine = vector_of(value);
-      const Eigen::VectorXd reference = vector_of(comparison.quantities[name]);
-      if (mine.size() != reference.size()) continue;
-      const double size = reference.norm();
-      rows[r].norms[name] = (mine - reference).norm() / (size > 0.0 ? size : 1.0);
-    }
+void compare(const Comparison& comparison, StudyRow& row) {
+  if (comparison.quantities.is_null() || !row.result.completed) return;
+  for (const auto& [name, value] : row.result.quantities.items()) {
+    if (!comparison.quantities.contains(name)) continue;
+    const Eigen::VectorXd mine = vector_of(value);
+    const Eigen::VectorXd reference = vector_of(comparison.quantities[name]);
+    if (mine.size() != reference.size()) continue;
+    const double size = reference.norm();
+    row.norms[name] = (mine - reference).norm() / (size > 0.0 ? size : 1.0);
   }
 }
 

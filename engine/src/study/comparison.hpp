@@ -19,8 +19,8 @@ struct Comparison {
 /// each quantity whose differences fall; sizes must shrink by one ratio r, to 1 %.
 [[nodiscard]] Comparison richardson_limit(const std::vector<StudyRow>& rows);
 
-/// Adds to each row |q − q_ref|/|q_ref|, (N.10), of every quantity that both have, in equally many numbers; where the reference
-/// vanishes, |q|.
-void compare(const Comparison& comparison, std::vector<StudyRow>& rows);
+/// Adds to a row |q − q_ref|/|q_ref|, (N.10), of every quantity that both have, in equally many numbers; where the
+/// reference vanishes, |q|.
+void compare(const Comparison& comparison, StudyRow& row);
 
 }  // namespace shoreline

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "case_file/keys.hpp"
 #include "shoreline/engine/case_reader.hpp"
 
@@ -50,15 +52,23 @@ std::vector<std::string> more_tracking_points(const Json& json) {
   return settings;
 }
 
-std::vector<std::string> narrower_bands(const Json& json, const Case& problem) {
+/// How a piece is held; null where it is not.
+const Essential* support_of(const Case::Boundary& boundary) {
+  if (const auto* displacement = std::get_if<Case::Displacement>(&boundary.condition)) return &displacement->support;
+  return std::get_if<Essential>(&boundary.condition);
+}
+
+bool held_on_grid_lines(const Case::Boundary& boundary) {
+  const Essential* held = support_of(boundary);
+  return held != nullptr && held->method == EssentialMethod::grid;
+}
+
+std::vector<std::string> narrower_bands(const Case& problem) {
   std::vector<std::string> settings;
-  for (std::size_t b = 0; b < problem.boundaries.size(); ++b) {
-    const auto& condition = problem.boundaries[b].condition;
-    const auto* held = std::get_if<Essential>(&condition);
-    if (const auto* displacement = std::get_if<Case::Displacement>(&condition)) held = &displacement->support;
-    if (held != nullptr && held->method != EssentialMethod::grid && json["boundaries"][b].contains("condition"))
+  for (std::size_t b = 0; b < problem.boundaries.size(); ++b)
+    if (const Essential* held = support_of(problem.boundaries[b]);
+        held != nullptr && held->method != EssentialMethod::grid)
       settings.push_back(assignment(fmt::format("boundaries.{}.condition.band", b), 0.1 * held->band));
-  }
   return settings;
 }
 
@@ -81,14 +91,16 @@ std::vector<Refinement> refinements_of(const Json& json) {
   add(all, "grid", finer_grid(complete));
   add(all, "points", more_points(complete));
   add(all, "boundary points", more_tracking_points(complete));
-  add(all, "band", narrower_bands(complete, problem));
+  add(all, "band", narrower_bands(problem));
   add(all, "time step", smaller_steps(problem));
   return all;
 }
 
 std::vector<std::string> shifted_grid(const Json& json) {
   const Json& grid = json["grid"];
-  if (!grid.contains("cell_size") || !grid.contains("lower")) return {};
+  if (!grid.contains("cell_size") ||
+      std::ranges::any_of(parse_case(json.dump(), "case").boundaries, held_on_grid_lines))
+    return {};
   const auto size = [&](std::size_t axis) {
     const Json& cell = grid["cell_size"];
     return (cell.is_number() ? cell : cell[axis]).get<double>();

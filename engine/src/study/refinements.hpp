@@ -18,7 +18,8 @@ struct Refinement {
 /// @param json  a case that runs
 [[nodiscard]] std::vector<Refinement> refinements_of(const Json& json);
 
-/// Changes that move the grid by (0.37, 0.21) cells, which no alignment survives; none on a mesh.
+/// Changes that move the grid by (0.37, 0.21) cells, which no alignment survives; none on a mesh, or where a piece is
+/// held on grid lines.
 [[nodiscard]] std::vector<std::string> shifted_grid(const Json& json);
 
 }  // namespace shoreline

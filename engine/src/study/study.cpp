@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
-#include <iostream>
 
 #include "answer.hpp"
+#include "case_file/nearest.hpp"
 #include "case_file/text_file.hpp"
 #include "comparison.hpp"
 #include "output/atomic_file.hpp"
@@ -29,17 +28,23 @@ struct Work {
   }
 };
 
+StudyRow row_of(const PlannedRun& plan, RunResult result) {
+  StudyRow row{plan, std::move(result), {}, {}};
+  if (row.result.completed) row.norms = norms_of(row.result.summary);
+  return row;
+}
+
 std::vector<StudyRow> run_all(Work& work) {
   const std::vector<PlannedRun> plans = planned_runs(work.study);
-  StudyProgress progress(plans, work.options.quiet);
+  const std::size_t levels = work.study.refine ? work.study.axes[*work.study.refine].choices.size() : 1;
+  StudyProgress progress(plans, levels, work.options.quiet);
   std::vector<StudyRow> rows;
   for (const PlannedRun& plan : plans) {
     const PreparedCase prepared = work.prepared(plan.settings);
     const bool known = work.runner.recorded(prepared, work.study.repeat).has_value();
     RunResult result = work.runner.result_of(prepared, work.study.repeat);
     progress.finished(rows.size(), result, known);
-    rows.push_back({plan, std::move(result), {}, {}});
-    if (rows.back().result.completed) rows.back().norms = norms_of(rows.back().result.summary);
+    rows.push_back(row_of(plan, std::move(result)));
   }
   return rows;
 }
@@ -100,14 +105,32 @@ std::string failures_of(const StudyTable& table) {
   return text;
 }
 
-Answer answer_of(Work& work, const StudyTable& table) {
+/// Compares every row but the reference itself.
+void compare_all(const Comparison& comparison, std::vector<StudyRow>& rows) {
+  for (std::size_t r = 0; r < rows.size(); ++r)
+    if (r != comparison.row) compare(comparison, rows[r]);
+}
+
+Answer answer_of(Work& work, const StudyTable& table, const Comparison& comparison) {
   return answer(
       table, *work.options.tolerance, [&](const PlannedRun& plan) { return work.prepared(plan.settings).json; },
       [&](const PlannedRun& plan, const std::vector<std::string>& more) {
         std::vector<std::string> settings = plan.settings;
         settings.insert(settings.end(), more.begin(), more.end());
-        return work.runner.result_of(work.prepared(settings), 1);
+        StudyRow row = row_of(plan, work.runner.result_of(work.prepared(settings), 1));
+        compare(comparison, row);
+        return row;
       });
+}
+
+/// Norms to show that no run has, as warnings.
+std::string unknown_norms(const StudyTable& table) {
+  const std::vector<std::string> norms = norms_in(table.rows);
+  std::string text;
+  for (const std::string& norm : table.errors)
+    if (!norms.empty() && !std::ranges::count(norms, norm))
+      text += fmt::format("warning: no run has the norm \"{}\", {}\n", norm, expected_one_of(norms, norm));
+  return text;
 }
 
 }  // namespace
@@ -128,26 +151,30 @@ StudyOutcome run_study(const Study& study, const StudyOptions& options) {
 
   table.rows = run_all(work);
   table.device = device_of(table.rows);
+  Comparison comparison;
   if (const auto reference = reference_of(study, base)) {
-    const Comparison comparison = comparison_of(work, *reference, table.rows);
-    compare(comparison, table.rows);
+    comparison = comparison_of(work, *reference, table.rows);
+    compare_all(comparison, table.rows);
     table.device = (table.device == "no exact solution" ? "" : table.device + "; ") + comparison.with;
   }
   add_rates(table.rows);
   if (table.errors.empty()) table.errors = usual_norms(table.rows);
+  write_files(table, {}, options);
 
   std::optional<Answer> found;
   const auto completed = [](const StudyRow& row) { return row.result.completed; };
-  if (options.tolerance && std::ranges::any_of(table.rows, completed)) found = answer_of(work, table);
-  write_files(table, found, options);
+  if (options.tolerance && std::ranges::any_of(table.rows, completed)) {
+    found = answer_of(work, table, comparison);
+    write_files(table, found, options);
+  }
   StudyOutcome outcome;
   outcome.runs = static_cast<int>(table.rows.size());
   outcome.failures =
       static_cast<int>(std::ranges::count_if(table.rows, [](const StudyRow& row) { return !row.result.completed; }));
   const auto no_picture = make_study_pictures(options.output);
   outcome.report =
-      fmt::format("{}: {} runs, {} failed\n\n{}\n{}{}{}results: {}\n", study.title, outcome.runs, outcome.failures,
-                  markdown_of(table), failures_of(table), found ? found->text + "\n" : "",
+      fmt::format("{}: {} runs, {} failed\n\n{}\n{}{}{}{}results: {}\n", study.title, outcome.runs, outcome.failures,
+                  markdown_of(table), failures_of(table), unknown_norms(table), found ? found->text + "\n" : "",
                   no_picture ? "warning: " + *no_picture + "\n" : "", options.output.string());
   return outcome;
 }

@@ -2,35 +2,30 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
-#include <numeric>
 
 #include "study_table.hpp"
 
 namespace shoreline {
 
-/// Runs ahead take the mean of those before that are as fine as they are, or four times as long as the run before them
-/// where there is none.
+/// Runs ahead take the mean of those before on their level, or four times that of the level before where there are
+/// none.
 double StudyProgress::seconds_left(std::size_t done) const {
+  const auto runs_on = [&](std::size_t level, std::size_t runs) {
+    return (runs + wall_.size() - 1 - level) / wall_.size();
+  };
   double left = 0.0;
-  double last = wall_.empty() ? 0.0 : wall_.back();
-  for (std::size_t k = done; k < plans_.size(); ++k) {
-    double sum = 0.0;
-    int number = 0;
-    for (std::size_t before = 0; before < done; ++before)
-      if (plans_[before].refinement == plans_[k].refinement) {
-        sum += wall_[before];
-        ++number;
-      }
-    last = number > 0 ? sum / number : 4.0 * last;
-    left += last;
+  double mean = 0.0;
+  for (std::size_t level = 0; level < wall_.size(); ++level) {
+    const std::size_t before = runs_on(level, done);
+    mean = before > 0 ? wall_[level] / static_cast<double>(before) : 4.0 * mean;
+    left += mean * static_cast<double>(runs_on(level, plans_.size()) - before);
   }
   return left;
 }
 
 void StudyProgress::finished(std::size_t number, const RunResult& result, bool known) {
-  wall_.push_back(result.wall);
+  wall_[number % wall_.size()] += result.wall;
   if (quiet_) return;
   const std::string what =
       result.completed ? fmt::format("{:.3g} s", spread_of(result.seconds).median) : "failed: " + result.reason;

@@ -10,7 +10,9 @@ namespace shoreline {
 /// Tells of each run on standard error as it ends, a line each, with the time that the rest will take.
 class StudyProgress {
  public:
-  StudyProgress(const std::vector<PlannedRun>& plans, bool quiet) : plans_(plans), quiet_(quiet) {}
+  /// @param levels  entries of the axis that is refined, which runs fastest; 1 where there is none
+  StudyProgress(const std::vector<PlannedRun>& plans, std::size_t levels, bool quiet)
+      : plans_(plans), quiet_(quiet), wall_(levels, 0.0) {}
 
   /// @param number  of the run among the planned ones
   /// @param known   it was on record
@@ -21,7 +23,7 @@ class StudyProgress {
 
   const std::vector<PlannedRun>& plans_;
   bool quiet_;
-  std::vector<double> wall_;  ///< of every run so far [s]
+  std::vector<double> wall_;  ///< of all runs so far, by level [s]
 };
 
 }  // namespace shoreline

@@ -34,11 +34,12 @@ std::vector<std::string> assignments(const Node& node) {
 
 /// The number of an entry is its value; of a list of numbers the first.
 Study::Choice labelled(const Json& value) {
-  Study::Choice choice{
-      .label = value.is_string() ? value.get<std::string>() : value.dump(), .number = std::nullopt, .settings = {}};
   const Json& number = value.is_array() && !value.empty() ? value.front() : value;
-  if (number.is_number()) choice.number = number.get<double>();
-  return choice;
+  return {.label = value.is_string()   ? value.get<std::string>()
+                   : value.is_number() ? fmt::format("{}", value.get<double>())
+                                       : value.dump(),
+          .number = number.is_number() ? std::optional(number.get<double>()) : std::nullopt,
+          .settings = {}};
 }
 
 Study::Axis read_values(const Node& node) {
@@ -84,9 +85,8 @@ Study::Axis read_choices(const Node& node) {
 Study::Axis read_axis(const Node& node) {
   Study::Axis axis = node.has("choices") ? read_choices(node) : node.has("zip") ? read_zip(node) : read_values(node);
   std::set<std::string> labels;
-  std::set<double> numbers;
   for (const Study::Choice& choice : axis.choices)
-    if (!labels.insert(choice.label).second || (choice.number && !numbers.insert(*choice.number).second))
+    if (!labels.insert(choice.label).second)
       node.place.fail(
           fmt::format("found \"{}\" twice in the axis \"{}\", expected different entries", choice.label, axis.name));
   return axis;
@@ -110,8 +110,12 @@ bool sets_cell_size(const Study::Axis& axis) {
                              [](const std::string& setting) { return setting.starts_with("grid.cell_size="); });
 }
 
+/// Numbers > 0, no two alike.
 bool has_numbers(const Study::Axis& axis) {
-  return std::ranges::all_of(axis.choices, [](const Study::Choice& c) { return c.number && *c.number > 0.0; });
+  std::set<double> numbers;
+  return std::ranges::all_of(axis.choices, [&](const Study::Choice& c) {
+    return c.number && *c.number > 0.0 && numbers.insert(*c.number).second;
+  });
 }
 
 std::optional<std::size_t> refined_axis(const Node& root, const std::vector<Study::Axis>& axes) {
@@ -130,7 +134,8 @@ std::optional<std::size_t> refined_axis(const Node& root, const std::vector<Stud
     root["refine"].place.fail(fmt::format("found \"{}\", {}", name, expected_one_of(names, name)));
   }
   if (!has_numbers(*axis))
-    root["refine"].place.fail(fmt::format("found the axis \"{}\", expected one whose entries are numbers > 0", name));
+    root["refine"].place.fail(
+        fmt::format("found the axis \"{}\", expected one whose entries are different numbers > 0", name));
   return static_cast<std::size_t>(axis - axes.begin());
 }
 

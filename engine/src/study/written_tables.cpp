@@ -104,7 +104,7 @@ std::string csv_of(const StudyTable& table) {
   const std::vector<std::string> norms = norms_in(table.rows);
   const std::vector<std::string> phases = phases_in(table.rows);
   std::vector<std::string> columns{"line"};
-  columns.insert(columns.end(), table.axes.begin(), table.axes.end());
+  for (const std::string& axis : table.axes) columns.push_back("axis." + axis);
   columns.insert(columns.end(),
                  {"refinement", "status", "reason", "points", "unknowns", "steps", "threads", "peak_memory_bytes",
                   "condition_estimate", "seconds", "seconds.least", "seconds.greatest"});
