@@ -104,7 +104,6 @@ Problem make_problem(const Eigen::Ref<const Eigen::MatrixXd>& monomial, Multipli
     value.rightCols(all - rank).colwise().squaredNorm().maxCoeff(&largest);
     value.col(rank).swap(value.col(rank + largest));
     std::swap(moment[rank], moment[rank + largest]);
-    for (Eigen::Index done = 0; done < rank; ++done) take_out(done, rank);  // again, what rounding left
     const double size = value.col(rank).norm();
     if (rank == 0) least = dependent * size;
     if (size <= least) break;
@@ -139,27 +138,28 @@ struct Wanted {
 };
 
 /// One Newton step of (W.2) with as much of it as lowers Φ.
-void advance(const Problem& problem, const Multipliers& gradient, Estimate& at) {
+/// @return whether any of it does
+bool advance(const Problem& problem, const Multipliers& gradient, Estimate& at) {
   const Multipliers step = problem.step(at.growth, gradient);
   const Eigen::VectorXd growing = problem.value * step;
-  const auto ahead = [&](double share) { return Estimate{at.multiplier + share * step, at.growth + share * growing}; };
   const double before = problem.merit(at);
-  double share = 1.0;
-  Estimate next = ahead(share);
-  while (share > 1e-6 && problem.merit(next) > before + 1e-4 * share * gradient.dot(step)) {
-    share *= 0.5;
-    next = ahead(share);
+  for (double share = 1.0; share > 1e-6; share *= 0.5) {
+    Estimate next{at.multiplier + share * step, at.growth + share * growing};
+    if (problem.merit(next) > before + 1e-4 * share * gradient.dot(step)) continue;
+    at = std::move(next);
+    return true;
   }
-  at = std::move(next);
+  return false;
 }
 
-/// Weights that reproduce all moments up to an order, or none where no weights above the bound do.
-std::optional<Eigen::VectorXd> weights_for(const Wanted& wanted, int order, const Eigen::VectorXd& plain) {
+/// Weights that reproduce all moments up to an order by (W.2), or none where no weights above the bound do.
+std::optional<Eigen::VectorXd> newton(const Wanted& wanted, int order, const Eigen::VectorXd& plain) {
   const Eigen::Index rows = monomials(order);
   const Problem problem =
       make_problem(wanted.monomial.topRows(rows), wanted.moment.head(rows), plain, wanted.dependent);
+  const double least = 1.0 - 0.5 / plain.minCoeff();  // of Φ where weights exist, (W.3)
   Estimate at{Multipliers::Zero(problem.target.size()), Eigen::VectorXd::Ones(plain.size())};
-  for (int k = 0; k < most_steps; ++k) {
+  for (int k = 0; k < most_steps && problem.merit(at) >= least; ++k) {
     Eigen::VectorXd weight = problem.weights(at.growth);
     const Multipliers rest = problem.value.transpose() * weight - problem.target;
     if (rest.cwiseAbs().maxCoeff() <= wanted.met) {
@@ -167,9 +167,16 @@ std::optional<Eigen::VectorXd> weights_for(const Wanted& wanted, int order, cons
       if (missed.cwiseAbs().maxCoeff() > wanted.met) return std::nullopt;  // one that was left out
       return weight;
     }
-    advance(problem, rest + ridge * at.multiplier, at);
+    if (!advance(problem, rest + ridge * at.multiplier, at)) return std::nullopt;
   }
   return std::nullopt;
+}
+
+/// Weights that reproduce all moments up to an order: the plain ones if they do, or fitted ones of enough points.
+std::optional<Eigen::VectorXd> weights_for(const Wanted& wanted, int order, const Eigen::VectorXd& plain) {
+  if (wanted.reproduced(order, plain)) return plain;
+  if (points_for(order) > plain.size()) return std::nullopt;
+  return newton(wanted, order, plain);
 }
 
 }  // namespace
@@ -179,15 +186,18 @@ int fit_weights(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size,
   const Eigen::VectorXd plain = weight / weight.sum();
   const Wanted wanted(x, size, moments);
   weight = moments[0] * plain;
-  for (int order = order_of(moments.size()); order > 0; --order) {
-    if (wanted.reproduced(order, plain)) return order;
-    if (points_for(order) > x.cols()) continue;
-    if (const auto fitted = weights_for(wanted, order, plain)) {
-      weight = moments[0] * *fitted;
+  for (int order = order_of(moments.size()); order > 0; --order)
+    if (const auto found = weights_for(wanted, order, plain)) {
+      weight = moments[0] * *found;
       return order;
     }
-  }
   return 0;
+}
+
+bool can_meet(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size,
+              const Eigen::Ref<const Eigen::VectorXd>& moments, const Eigen::Ref<const Eigen::VectorXd>& plain) {
+  const Wanted wanted(x, size, moments);
+  return weights_for(wanted, order_of(moments.size()), plain / plain.sum()).has_value();
 }
 
 }  // namespace shoreline

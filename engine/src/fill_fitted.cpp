@@ -52,14 +52,13 @@ Coverage coverage(std::span<const SplineCurve> curves, const Grid& grid, int ord
 
 /// Points in the covered part of a rectangle, of as many sub-rectangles as their weights take to meet the moments.
 AreaPoints points_in_cut(const CutPoints& cut, const Box& cell, std::array<int, 2> divisions, const Vec2& centre,
-                         const Eigen::Ref<const Eigen::VectorXd>& moments, int order) {
+                         const Eigen::Ref<const Eigen::VectorXd>& moments) {
   constexpr int rounds = 4;
   const double size = std::sqrt((cell.upper - cell.lower).prod());
   for (int k = 1;; ++k) {
     AreaPoints points = cut.in(cell, divisions);
     if (k == rounds || points.area.size() == 0) return points;
-    Eigen::VectorXd weight = points.area;
-    if (fit_weights(points.position.colwise() - centre, size, moments, weight) == order) return points;
+    if (can_meet(points.position.colwise() - centre, size, moments, points.area)) return points;
     for (int& n : divisions) n += (n + 1) / 2;
   }
 }
@@ -100,7 +99,7 @@ MaterialPoints fill_fitted(std::span<const SplineCurve> curves, const Quadrilate
     const Vec2 corner = grid.corner(cells.moments.cell[k]);
     const auto column = static_cast<Eigen::Index>(k);
     const AreaPoints found = points_in_cut(cut, {corner, corner + grid.spacing()}, divisions,
-                                           cells.moments.centre.col(column), cells.moments.moment.col(column), order);
+                                           cells.moments.centre.col(column), cells.moments.moment.col(column));
     for (Eigen::Index p = 0; p < found.area.size(); ++p) all.add(found.position.col(p), found.area[p]);
   }
   return all.points();
