@@ -16,7 +16,7 @@ using Multipliers = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>;
 using Gram = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
 
 constexpr double ridge = 1e-10;     ///< ε of (W.2)
-constexpr double rounding = 1e-14;  ///< of the cell: what the moments of a small part carry of it
+constexpr double rounding = 1e-12;  ///< of the cell: what the moments of a small part carry of it
 constexpr int most_steps = 25;
 
 /// The order up to which there are so many moments.
@@ -106,7 +106,7 @@ Problem make_problem(const Eigen::Ref<const Eigen::MatrixXd>& monomial, Multipli
     std::swap(moment[rank], moment[rank + largest]);
     const double size = value.col(rank).norm();
     if (rank == 0) least = dependent * size;
-    if (size <= least) break;
+    if (rank > 0 && size <= least) break;
     value.col(rank) /= size;
     moment[rank] /= size;
     for (Eigen::Index k = rank + 1; k < all; ++k) take_out(rank, k);
@@ -121,14 +121,12 @@ struct Wanted {
   Multipliers moment;        ///< (moments)
   double exact;              ///< so near they count as met without a fit
   double met;                ///< so near a fit must come
-  double dependent;          ///< so little of a monomial that others do not explain cannot be asked for
 
   Wanted(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size, const Eigen::Ref<const Eigen::VectorXd>& moments)
       : monomial(monomials_at(x, size, order_of(moments.size()))),
         moment(scaled(moments, size, order_of(moments.size()))),
         exact(1e-12 + rounding * size * size / moments[0]),
-        met(1e-9 + rounding * size * size / moments[0]),
-        dependent(1e-10 + rounding * size * size / moments[0]) {}
+        met(1e-9 + rounding * size * size / moments[0]) {}
 
   /// @param weight  in parts of the area
   [[nodiscard]] bool reproduced(int order, const Eigen::VectorXd& weight) const {
@@ -143,9 +141,10 @@ bool advance(const Problem& problem, const Multipliers& gradient, Estimate& at) 
   const Multipliers step = problem.step(at.growth, gradient);
   const Eigen::VectorXd growing = problem.value * step;
   const double before = problem.merit(at);
+  const double rounded = 1e-14 * (1.0 + std::abs(before));
   for (double share = 1.0; share > 1e-6; share *= 0.5) {
     Estimate next{at.multiplier + share * step, at.growth + share * growing};
-    if (problem.merit(next) > before + 1e-4 * share * gradient.dot(step)) continue;
+    if (problem.merit(next) > before + 1e-4 * share * gradient.dot(step) + rounded) continue;
     at = std::move(next);
     return true;
   }
@@ -156,7 +155,7 @@ bool advance(const Problem& problem, const Multipliers& gradient, Estimate& at) 
 std::optional<Eigen::VectorXd> newton(const Wanted& wanted, int order, const Eigen::VectorXd& plain) {
   const Eigen::Index rows = monomials(order);
   const Problem problem =
-      make_problem(wanted.monomial.topRows(rows), wanted.moment.head(rows), plain, wanted.dependent);
+      make_problem(wanted.monomial.topRows(rows), wanted.moment.head(rows), plain, 0.1 * wanted.met);
   const double least = 1.0 - 0.5 / plain.minCoeff();  // of Φ where weights exist, (W.3)
   Estimate at{Multipliers::Zero(problem.target.size()), Eigen::VectorXd::Ones(plain.size())};
   for (int k = 0; k < most_steps && problem.merit(at) >= least; ++k) {
