@@ -35,4 +35,12 @@ Moments along_border(Corners corners, const Foot& foot, const Vec2& x) {
   return sum;
 }
 
+Moments closed_run(const CubicSpan& run, Corners corners, const Vec2& centre) {
+  const auto border = [&](const Vec2& end) -> Moments {
+    const Vec2 x = end - centre;
+    return along_border(corners, nearest_place(corners, x), x);
+  };
+  return along_curve(run, centre) + border(run.control[0]) - border(run.control[3]);
+}
+
 }  // namespace shoreline

@@ -37,6 +37,9 @@ struct Foot {
 /// Ψ of (R.5): along the border from corner 0 to a foot, and from there to x.
 [[nodiscard]] Moments along_border(Corners corners, const Foot& foot, const Vec2& x);
 
+/// What a run of a curve through a cell adds, closed along its border. A run along a side encloses nothing.
+[[nodiscard]] Moments closed_run(const CubicSpan& run, Corners corners, const Vec2& centre);
+
 /// m of (R.5): how many whole cells the closed runs lack, so that none to one is covered.
 /// @param turns          area of the closed runs, in whole cells
 /// @param centre_inside  () → whether the cell's centroid is inside, which decides where the area is none or all

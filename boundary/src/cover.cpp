@@ -41,16 +41,13 @@ Box box_of(Corners corners, const Vec2& centre) {
   return {box.lower + centre, box.upper + centre};
 }
 
-/// The span's runs through a cell, each closed along its border. A run along a side encloses nothing.
+/// The span's runs through a cell, each closed along its border.
 Moments closed_runs(const CubicSpan& span, Corners corners, std::span<const Line> lines, const Vec2& centre) {
-  const auto border = [&](const Vec2& x) { return along_border(corners, nearest_place(corners, x), x); };
   const std::vector<double> u = split_at_lines(span, lines);
   Moments sum = Moments::Zero();
   for (std::size_t i = 0; i + 1 < u.size(); ++i) {
     const bool inside = by_majority(u[i], u[i + 1], [&](double at) { return in_front(lines, span.position(at)); });
-    if (!inside) continue;
-    const CubicSpan run = part(span, u[i], u[i + 1]);
-    sum += along_curve(run, centre) + border(run.control[0] - centre) - border(run.control[3] - centre);
+    if (inside) sum += closed_run(part(span, u[i], u[i + 1]), corners, centre);
   }
   return sum;
 }

@@ -1,7 +1,6 @@
 #include "shoreline/boundary/fitted_weights.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -17,7 +16,7 @@ using Multipliers = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>;
 using Gram = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most>;
 
 constexpr double ridge = 1e-10;     ///< ε of (W.2)
-constexpr double rounding = 1e-14;  ///< of the cell: what the moments of a small part carry of it
+constexpr double rounding = 1e-12;  ///< of the cell: what the moments of a small part carry of it
 constexpr int most_steps = 25;
 
 /// The order up to which there are so many moments.
@@ -27,63 +26,93 @@ int order_of(Eigen::Index moments) {
   return order;
 }
 
-/// The monomials at the points, (moments, n).
+/// The monomials at the points, (moments, n). The one of degree d and number b follows from those of degree d - 1.
 Eigen::MatrixXd monomials_at(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size, int order) {
   Eigen::MatrixXd m(monomials(order), x.cols());
   for (Eigen::Index p = 0; p < x.cols(); ++p) {
     const Vec2 at = x.col(p) / size;
-    Eigen::Index k = 0;
-    for (int degree = 0; degree <= order; ++degree)
-      for (int b = 0; b <= degree; ++b) m(k++, p) = std::pow(at.x(), degree - b) * std::pow(at.y(), b);
+    double* const here = m.col(p).data();
+    here[0] = 1.0;
+    for (Eigen::Index degree = 1, k = 1; degree <= order; ++degree) {
+      for (Eigen::Index b = 0; b < degree; ++b, ++k) here[k] = at.x() * here[k - degree];
+      here[k] = at.y() * here[k - degree - 1];
+      ++k;
+    }
   }
   return m;
 }
 
 /// ∫ ξ^a η^b over the covered area, ξ and η in sizes of the cell.
 Multipliers scaled(const Eigen::Ref<const Eigen::VectorXd>& moments, double size, int order) {
-  Multipliers scaled = moments.head(monomials(order)) / moments[0];
-  for (int degree = 0, k = 0; degree <= order; ++degree)
-    for (int b = 0; b <= degree; ++b) scaled[k++] /= std::pow(size, degree);
+  Multipliers scaled = moments.head(monomials(order));
+  double unit = moments[0];
+  for (int degree = 0, k = 0; degree <= order; ++degree, unit *= size)
+    for (int b = 0; b <= degree; ++b) scaled[k++] /= unit;
   return scaled;
 }
 
-/// The problem (W.1) in shares of the covered area. Its rows are polynomials that are orthonormal on the points: what
-/// is asked of them is independent, however thin the covered part is.
+/// Multipliers λ, and the factors 1 + Aᵀ λ by which plain weights grow where they stay above the bound.
+struct Estimate {
+  Multipliers multiplier;
+  Eigen::VectorXd growth;
+};
+
+/// The problem (W.1) in shares of the covered area, for polynomials that are orthonormal on the points: what is asked
+/// of them is independent, however thin the covered part is.
 struct Problem {
-  Eigen::MatrixXd row;    ///< (polynomials, n)
+  Eigen::MatrixXd value;  ///< (n, polynomials)
   Multipliers target;     ///< (polynomials)
   Eigen::VectorXd plain;  ///< (n) v, whose sum is 1
 
-  [[nodiscard]] Eigen::VectorXd growth(const Multipliers& multiplier) const {
-    return Eigen::VectorXd::Ones(plain.size()) + row.transpose() * multiplier;
-  }
   [[nodiscard]] Eigen::VectorXd weights(const Eigen::VectorXd& growth) const {
     return plain.cwiseProduct(growth.cwiseMax(least_weight));
   }
-  [[nodiscard]] Multipliers rest(const Eigen::VectorXd& growth) const { return row * weights(growth) - target; }
   /// Φ of (W.2), whose gradient is A w − m + ε λ.
-  [[nodiscard]] double merit(const Multipliers& multiplier) const {
-    const Eigen::ArrayXd s = growth(multiplier);
-    const Eigen::ArrayXd above = s.max(least_weight);
-    const Eigen::ArrayXd value = 0.5 * above.square() + least_weight * (s - above);
-    return plain.dot(value.matrix()) - target.dot(multiplier) + 0.5 * ridge * multiplier.squaredNorm();
+  [[nodiscard]] double merit(const Estimate& at) const {
+    const auto above = at.growth.array().max(least_weight);
+    const auto psi = 0.5 * above.square() + least_weight * (at.growth.array() - above);
+    return (plain.array() * psi).sum() - target.dot(at.multiplier) + 0.5 * ridge * at.multiplier.squaredNorm();
+  }
+  /// The solution of H step = −gradient with its second derivative H. On all points the polynomials are orthonormal;
+  /// those at the bound do not count.
+  [[nodiscard]] Multipliers step(const Eigen::VectorXd& growth, const Multipliers& gradient) const {
+    const auto bound = growth.array() <= least_weight;
+    if (!bound.any()) return -gradient / (1.0 + ridge);
+    Gram h = (1.0 + ridge) * Gram::Identity(gradient.size(), gradient.size());
+    for (Eigen::Index p = 0; p < growth.size(); ++p)
+      if (bound[p]) h.selfadjointView<Eigen::Lower>().rankUpdate(value.row(p).transpose(), -plain[p]);
+    return -h.ldlt().solve(gradient);
   }
 };
 
-/// Monomials that depend on others on these points are left out.
-Problem make_problem(const Eigen::MatrixXd& monomial, const Multipliers& moments, const Eigen::VectorXd& plain) {
-  constexpr double dependent = 1e-10;
+/// The monomials made orthonormal by Gram and Schmidt, the largest rest first; every step serves values at the points,
+/// times √v, and moments alike. Those of which others leave no more than @p dependent are left out.
+Problem make_problem(const Eigen::Ref<const Eigen::MatrixXd>& monomial, Multipliers moment,
+                     const Eigen::VectorXd& plain, double dependent) {
   const Eigen::VectorXd root = plain.cwiseSqrt();
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(root.asDiagonal() * monomial.transpose());
-  qr.setThreshold(dependent);
-  const Eigen::Index rank = qr.rank();
-  const Eigen::MatrixXd q = qr.householderQ() * Eigen::MatrixXd::Identity(plain.size(), rank);
-  const Eigen::VectorXd ordered = qr.colsPermutation().transpose() * moments;
+  Eigen::MatrixXd value = root.asDiagonal() * monomial.transpose();
+  const auto take_out = [&](Eigen::Index done, Eigen::Index k) {
+    const double share = value.col(done).dot(value.col(k));
+    value.col(k) -= share * value.col(done);
+    moment[k] -= share * moment[done];
+  };
+  const Eigen::Index all = value.cols();
+  double least = 0.0;
+  Eigen::Index rank = 0;
+  for (; rank < all; ++rank) {
+    Eigen::Index largest = 0;
+    value.rightCols(all - rank).colwise().squaredNorm().maxCoeff(&largest);
+    value.col(rank).swap(value.col(rank + largest));
+    std::swap(moment[rank], moment[rank + largest]);
+    const double size = value.col(rank).norm();
+    if (rank == 0) least = dependent * size;
+    if (rank > 0 && size <= least) break;
+    value.col(rank) /= size;
+    moment[rank] /= size;
+    for (Eigen::Index k = rank + 1; k < all; ++k) take_out(rank, k);
+  }
   return {
-      .row = (root.cwiseInverse().asDiagonal() * q).transpose(),
-      .target =
-          qr.matrixR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>().transpose().solve(ordered.head(rank)),
-      .plain = plain};
+      .value = root.cwiseInverse().asDiagonal() * value.leftCols(rank), .target = moment.head(rank), .plain = plain};
 }
 
 /// Moments of the covered part in sizes of the cell, and how far weights may be from them, in parts of the area.
@@ -107,37 +136,46 @@ struct Wanted {
 };
 
 /// One Newton step of (W.2) with as much of it as lowers Φ.
-void advance(const Problem& problem, const Eigen::VectorXd& growth, const Multipliers& gradient,
-             Multipliers& multiplier) {
-  const Eigen::VectorXd free =
-      (growth.array() > least_weight).select(problem.plain, Eigen::VectorXd::Zero(growth.size()));
-  Gram hessian = problem.row * free.asDiagonal() * problem.row.transpose();
-  hessian.diagonal().array() += ridge;
-  const Multipliers step = -hessian.ldlt().solve(gradient);
-  const double before = problem.merit(multiplier);
-  double share = 1.0;
-  while (share > 1e-6 && problem.merit(multiplier + share * step) > before + 1e-4 * share * gradient.dot(step))
-    share *= 0.5;
-  multiplier += share * step;
+/// @return whether any of it does
+bool advance(const Problem& problem, const Multipliers& gradient, Estimate& at) {
+  const Multipliers step = problem.step(at.growth, gradient);
+  const Eigen::VectorXd growing = problem.value * step;
+  const double before = problem.merit(at);
+  const double rounded = 1e-14 * (1.0 + std::abs(before));
+  for (double share = 1.0; share > 1e-6; share *= 0.5) {
+    Estimate next{at.multiplier + share * step, at.growth + share * growing};
+    if (problem.merit(next) > before + 1e-4 * share * gradient.dot(step) + rounded) continue;
+    at = std::move(next);
+    return true;
+  }
+  return false;
 }
 
-/// Weights that reproduce all moments up to an order, or none where no weights above the bound do.
-std::optional<Eigen::VectorXd> weights_for(const Wanted& wanted, int order, const Eigen::VectorXd& plain) {
+/// Weights that reproduce all moments up to an order by (W.2), or none where no weights above the bound do.
+std::optional<Eigen::VectorXd> newton(const Wanted& wanted, int order, const Eigen::VectorXd& plain) {
   const Eigen::Index rows = monomials(order);
-  const Problem problem = make_problem(wanted.monomial.topRows(rows), wanted.moment.head(rows), plain);
-  Multipliers multiplier = Multipliers::Zero(problem.target.size());
-  for (int k = 0; k < most_steps; ++k) {
-    const Eigen::VectorXd growth = problem.growth(multiplier);
-    const Multipliers rest = problem.rest(growth);
+  const Problem problem =
+      make_problem(wanted.monomial.topRows(rows), wanted.moment.head(rows), plain, 0.1 * wanted.met);
+  const double least = 1.0 - 0.5 / plain.minCoeff();  // of Φ where weights exist, (W.3)
+  Estimate at{Multipliers::Zero(problem.target.size()), Eigen::VectorXd::Ones(plain.size())};
+  for (int k = 0; k < most_steps && problem.merit(at) >= least; ++k) {
+    Eigen::VectorXd weight = problem.weights(at.growth);
+    const Multipliers rest = problem.value.transpose() * weight - problem.target;
     if (rest.cwiseAbs().maxCoeff() <= wanted.met) {
-      Eigen::VectorXd weight = problem.weights(growth);
       const Multipliers missed = wanted.monomial.topRows(rows) * weight - wanted.moment.head(rows);
       if (missed.cwiseAbs().maxCoeff() > wanted.met) return std::nullopt;  // one that was left out
       return weight;
     }
-    advance(problem, growth, rest + ridge * multiplier, multiplier);
+    if (!advance(problem, rest + ridge * at.multiplier, at)) return std::nullopt;
   }
   return std::nullopt;
+}
+
+/// Weights that reproduce all moments up to an order: the plain ones if they do, or fitted ones of enough points.
+std::optional<Eigen::VectorXd> weights_for(const Wanted& wanted, int order, const Eigen::VectorXd& plain) {
+  if (wanted.reproduced(order, plain)) return plain;
+  if (points_for(order) > plain.size()) return std::nullopt;
+  return newton(wanted, order, plain);
 }
 
 }  // namespace
@@ -147,15 +185,18 @@ int fit_weights(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size,
   const Eigen::VectorXd plain = weight / weight.sum();
   const Wanted wanted(x, size, moments);
   weight = moments[0] * plain;
-  for (int order = order_of(moments.size()); order > 0; --order) {
-    if (wanted.reproduced(order, plain)) return order;
-    if (points_for(order) > x.cols()) continue;
-    if (const auto fitted = weights_for(wanted, order, plain)) {
-      weight = moments[0] * *fitted;
+  for (int order = order_of(moments.size()); order > 0; --order)
+    if (const auto found = weights_for(wanted, order, plain)) {
+      weight = moments[0] * *found;
       return order;
     }
-  }
   return 0;
+}
+
+bool can_meet(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size,
+              const Eigen::Ref<const Eigen::VectorXd>& moments, const Eigen::Ref<const Eigen::VectorXd>& plain) {
+  const Wanted wanted(x, size, moments);
+  return weights_for(wanted, order_of(moments.size()), plain / plain.sum()).has_value();
 }
 
 }  // namespace shoreline

@@ -9,6 +9,7 @@
 #include "shoreline/boundary/fitted_weights.hpp"
 #include "shoreline/boundary/triangle_moments.hpp"
 #include "shoreline/engine/fill.hpp"
+#include "threads.hpp"
 
 namespace shoreline {
 namespace {
@@ -52,16 +53,31 @@ Coverage coverage(std::span<const SplineCurve> curves, const Grid& grid, int ord
 
 /// Points in the covered part of a rectangle, of as many sub-rectangles as their weights take to meet the moments.
 AreaPoints points_in_cut(const CutPoints& cut, const Box& cell, std::array<int, 2> divisions, const Vec2& centre,
-                         const Eigen::Ref<const Eigen::VectorXd>& moments, int order) {
+                         const Eigen::Ref<const Eigen::VectorXd>& moments) {
   constexpr int rounds = 4;
   const double size = std::sqrt((cell.upper - cell.lower).prod());
   for (int k = 1;; ++k) {
     AreaPoints points = cut.in(cell, divisions);
     if (k == rounds || points.area.size() == 0) return points;
-    Eigen::VectorXd weight = points.area;
-    if (fit_weights(points.position.colwise() - centre, size, moments, weight) == order) return points;
+    if (can_meet(points.position.colwise() - centre, size, moments, points.area)) return points;
     for (int& n : divisions) n += (n + 1) / 2;
   }
+}
+
+/// The points of all cut rectangles.
+std::vector<AreaPoints> points_in_cuts(std::span<const SplineCurve> curves, const QuadrilateralGrid& grid,
+                                       const Coverage& cells, const std::array<int, 2>& divisions) {
+  const CutPoints cut(curves);
+  std::vector<AreaPoints> found(cells.cut.size());
+  const std::size_t visits = found.size() * static_cast<std::size_t>(divisions[0] * divisions[1]);
+#pragma omp parallel for schedule(dynamic, 8) if (worth_threads(visits))
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const auto column = static_cast<Eigen::Index>(cells.cut[k]);
+    const Vec2 corner = grid.corner(cells.moments.cell[cells.cut[k]]);
+    found[k] = points_in_cut(cut, {corner, corner + grid.spacing()}, divisions, cells.moments.centre.col(column),
+                             cells.moments.moment.col(column));
+  }
+  return found;
 }
 
 /// Adds those of some points that sit in cut cells.
@@ -95,14 +111,8 @@ MaterialPoints fill_fitted(std::span<const SplineCurve> curves, const Quadrilate
             along_x.weight[i] * along_y.weight[j] * grid.spacing().prod());
   const int least = 2 * degree + 2;
   const std::array<int, 2> divisions{more(per_cell[0], least), more(per_cell[1], least)};
-  const CutPoints cut(curves);
-  for (const std::size_t k : cells.cut) {
-    const Vec2 corner = grid.corner(cells.moments.cell[k]);
-    const auto column = static_cast<Eigen::Index>(k);
-    const AreaPoints found = points_in_cut(cut, {corner, corner + grid.spacing()}, divisions,
-                                           cells.moments.centre.col(column), cells.moments.moment.col(column), order);
+  for (const AreaPoints& found : points_in_cuts(curves, grid, cells, divisions))
     for (Eigen::Index p = 0; p < found.area.size(); ++p) all.add(found.position.col(p), found.area[p]);
-  }
   return all.points();
 }
 

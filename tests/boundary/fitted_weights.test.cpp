@@ -132,3 +132,41 @@ TEST_CASE("the order falls to that for which there are 1.5 points a moment, or w
   CHECK(order(4) == 3);
   CHECK(order(5) == 4);
 }
+
+TEST_CASE("can_meet says whether the fit meets all moments", "[boundary][fitted_weights]") {
+  for (const double cut : {2.0, 0.36, 0.1, -0.2, -0.35})
+    for (const int order : {1, 2, 4, 6})
+      for (const int n : {4, 7, 16}) {
+        auto [x, weight] = lattice(1.0, cut, n);
+        if (x.cols() == 0) continue;
+        CAPTURE(cut, order, n);
+        const Eigen::VectorXd moments = cut_square(1.0, cut, order);
+        const bool met = can_meet(x, 1.0, moments, weight);
+        CHECK(met == (fit_weights(x, 1.0, moments, weight) == order));
+      }
+}
+
+TEST_CASE("of a sliver no more is asked than its moments know beyond rounding", "[boundary][fitted_weights]") {
+  constexpr double noise = 1e-13;  // of the cell, in its moments: rounding where coordinates are some hundred cells
+  constexpr int order = 4;
+  const QuadratureRule rule = gauss(6);
+  test::Random random(5);
+  for (const double size : {0.1, 0.03, 0.01, 3e-3, 1e-3}) {  // of the triangle ξ + η < size − 1 in a corner of the cell
+    Eigen::VectorXd moments = Eigen::VectorXd::Zero(monomials(order));
+    for (Eigen::Index i = 0; i < 6; ++i)
+      for (Eigen::Index j = 0; j < 6; ++j) {
+        const Vec2 at(size * rule.point[i], size * (1.0 - rule.point[i]) * rule.point[j]);
+        const double weight = rule.weight[i] * rule.weight[j] * size * size * (1.0 - rule.point[i]);
+        moments += weight * powers(at - Vec2(0.5, 0.5), order);
+      }
+    for (double& m : moments) m += random.uniform(-noise, noise);
+    Eigen::Matrix2Xd x(2, 78);
+    for (Eigen::Index i = 0, p = 0; i < 12; ++i)
+      for (Eigen::Index j = 0; j < 12 - i; ++j, ++p)
+        x.col(p) = size / 12.5 * Vec2(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5) - Vec2(0.5, 0.5);
+    Eigen::VectorXd weight = Eigen::VectorXd::Ones(78);
+    CAPTURE(size);
+    CHECK(fit_weights(x, 1.0, moments, weight) == order);
+    CHECK((moments_of(x, weight, order) - moments).cwiseAbs().maxCoeff() < 1e-9 * moments[0] + 1e-12);
+  }
+}

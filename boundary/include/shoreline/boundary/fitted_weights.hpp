@@ -30,4 +30,9 @@ inline constexpr double least_weight = 0.05;
 int fit_weights(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size,
                 const Eigen::Ref<const Eigen::VectorXd>& moments, Eigen::Ref<Eigen::VectorXd> weight);
 
+/// Whether fit_weights would meet all the moments given.
+[[nodiscard]] bool can_meet(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size,
+                            const Eigen::Ref<const Eigen::VectorXd>& moments,
+                            const Eigen::Ref<const Eigen::VectorXd>& plain);
+
 }  // namespace shoreline
