@@ -48,10 +48,9 @@ void take_over(const RunRecord& record, double total, Summary& summary) {
 class Saving {
  public:
   Saving(const Case& problem, const std::filesystem::path& folder, const Scene& scene, RunRecord& record)
-      : every_(problem.output.every),
-        scene_(scene),
-        record_(record),
-        writer_(folder, problem.title, scene.basis->grid()) {
+      : every_(problem.output.every), scene_(scene), record_(record), writer_(record.phases.time("output", [&] {
+          return ResultsWriter(folder, problem.title, scene.basis->grid());
+        })) {
     save(0);
   }
 

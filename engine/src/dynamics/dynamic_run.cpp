@@ -26,10 +26,9 @@ constexpr int saved_by_default = 50;
 class DynamicSaving {
  public:
   DynamicSaving(const Case& problem, const std::filesystem::path& folder, DynamicScene& scene, DynamicRecord& record)
-      : every_(problem.output.every),
-        scene_(scene),
-        record_(record),
-        writer_(folder, problem.title, scene.body.basis->grid(), "explicit_dynamics") {
+      : every_(problem.output.every), scene_(scene), record_(record), writer_(record.phases.time("output", [&] {
+          return ResultsWriter(folder, problem.title, scene.body.basis->grid(), "explicit_dynamics");
+        })) {
     save();
   }
 

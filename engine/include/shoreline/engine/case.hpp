@@ -142,10 +142,8 @@ struct Case {
   std::vector<Probe> probes;
   double respacing = 0.0;  ///< tracking points are re-spaced where chords differ by more than this factor; 0: never
   int threads = 0;         ///< 0: all cores
-  bool condition_estimate = false;
-  bool cut_fractions = false;   ///< and what else tells where the system is weak
-  bool strain_energy = false;   ///< (E.6)
-  bool error_estimate = false;  ///< of the stress at the end
+  /// Measured where a case asks for them under `diagnostics`.
+  bool condition_estimate = false, cut_fractions = false, strain_energy = false, error_estimate = false;
   Output output;
 };
 

@@ -10,6 +10,7 @@
 
 #include "shoreline/boundary/displacement_fit.hpp"
 #include "shoreline/engine/diagnostics.hpp"
+#include "shoreline/engine/error_norms.hpp"
 #include "shoreline/engine/probes.hpp"
 #include "shoreline/engine/weight_report.hpp"
 
@@ -57,39 +58,6 @@ struct ProjectionErrors {
   double l2 = 0.0;
   std::optional<double> l2_relative;                   ///< missing where the function vanishes
   std::optional<std::array<double, 2>> derivative_l2;  ///< of ∂/∂x and ∂/∂y; only with the gradient of the function
-};
-
-/// The deformed radius of a piece that was an arc about the origin, (N.6).
-struct RadiusError {
-  double mean = 0.0;           ///< along the deformed piece [m]
-  double exact = 0.0;          ///< [m]
-  double mean_relative = 0.0;  ///< mean of |r_h − r|/r
-};
-
-/// Norms of the error against the exact solution, (N.1)–(N.4). A relative error whose exact value vanishes is missing.
-struct ErrorNorms {
-  struct Component {
-    std::optional<double> mean_relative;
-    double mean_absolute = 0.0;
-    double max_absolute = 0.0;
-  };
-  /// Errors over the steps of a dynamic run; h is computed, a exact.
-  struct OverTime {
-    std::string of;         ///< "displacement" [m], "velocity" [m/s] or "stress" [Pa]
-    double rms = 0.0;       ///< root of the mean over points and times of |h − a|²: de Koster et al. 2020, (47)
-    double mean_rms = 0.0;  ///< mean over the times of the root of the volume-weighted mean over points of |h − a|²
-  };
-  bool at_samples = false;  ///< measured at sample points, (N.9); else at the material points
-  Index places = 0;         ///< how many of them
-  std::optional<double> displacement_l2_relative;
-  double displacement_l2 = 0.0;           ///< (Σ V |h − a|²)^½ [m²]
-  std::array<Component, 2> displacement;  ///< u, v [m]
-  std::optional<double> stress_l2_relative;
-  double stress_l2 = 0.0;                                  ///< (Σ V |h − a|²)^½ [Pa m]
-  std::array<Component, 3> stress;                         ///< xx, yy, xy [Pa]
-  std::map<std::string, double> boundary_l2_displacement;  ///< per essential piece [m^1.5]
-  std::map<std::string, RadiusError> boundary_radius;      ///< per arc of a thick cylinder
-  std::vector<OverTime> over_time;                         ///< dynamics alone
 };
 
 /// The error of the stress as recovery estimates it, (Z.2), (Z.3), over the components xx, yy, xy.
