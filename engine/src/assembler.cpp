@@ -165,11 +165,17 @@ void Assembler::find_places(const ElementBlocks& blocks) {
     std::size_t k = blocks.entry[b];
     const auto equation = [&](Index i) { return equation_[2 * at(function_[at(first_[b] + i / 2)]) + at(i % 2)]; };
     const Index m = 2 * (first_[b + 1] - first_[b]);
-    for (Index j = 0; j < m; ++j)
+    for (Index j = 0; j < m; ++j) {
+      const Index there = equation(j);
+      std::pair<Index, Index> last{-1, -1};
       for (Index i = j; i < m; ++i, ++k) {
-        const auto [column, row] = std::minmax({equation(i), equation(j)});
-        place_[k] = column < 0 ? -1 : place(row, column);
+        const std::pair<Index, Index> now = std::minmax(equation(i), there);
+        const auto [column, row] = now;
+        const bool next_row = column == last.first && row == last.second + 1;  // stands next in the column
+        place_[k] = column < 0 ? -1 : next_row ? place_[k - 1] + 1 : place(row, column);
+        last = now;
       }
+    }
     const auto [low, high] = std::minmax_element(place_.begin() + static_cast<std::ptrdiff_t>(blocks.entry[b]),
                                                  place_.begin() + static_cast<std::ptrdiff_t>(k));
     places_[b] = {*low, *high};
