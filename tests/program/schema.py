@@ -72,6 +72,11 @@ def study_faults():
     for study in (STUDY, least, *({**least, "reference": word} for word in ("finest", "richardson"))):
         yield from (f"{study}: {error.message}" for error in validator.iter_errors(study))
     yield from accepted(validator, all_wrong_studies())
+    studies = glob.glob(os.path.join(SOURCE, "studies", "*.json"))
+    if not studies:
+        yield "no study found"
+    for file in studies:
+        yield from (f"{file}: {error.message}" for error in validator.iter_errors(json.load(open(file))))
     yield from page_faults("study_format.md", "--study")
 
 

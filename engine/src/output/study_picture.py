@@ -60,7 +60,7 @@ def add_tolerance(figure, study, shown, x):
 def guides(figure, axes, runs, candidates, label):
     """Slopes of the candidates that fit the runs, drawn when the axes have their place."""
     slopes = slopes_of(runs)
-    sign = 1.0 if sum(slopes) > 0 else -1.0
+    sign = 1.0 if sum(slope > 0 for slope in slopes) > len(slopes) / 2 else -1.0  # a steep one may be noise of time
     chosen = fitting(candidates, [sign * slope for slope in slopes])
     if chosen:
         figure.after_layout.append(lambda: draw_slopes(axes, [sign * c for c in chosen], [label(c) for c in chosen]))
