@@ -7,6 +7,12 @@
 
 namespace shoreline::test {
 
+inline RunRecord run(Scene& scene) {
+  RunRecord record;
+  run_load_steps(scene, {}, record);
+  return record;
+}
+
 struct PatchSquare {
   Case problem;
   ExactSolution exact;

@@ -8,14 +8,9 @@
 
 using namespace shoreline;
 using Catch::Matchers::Contains;
+using test::run;
 
 namespace {
-
-RunRecord run(Scene& scene) {
-  RunRecord record;
-  run_load_steps(scene, {}, record);
-  return record;
-}
 
 long calls(const RunRecord& record, const std::string& phase) {
   long sum = 0;

@@ -14,14 +14,9 @@
 using namespace shoreline;
 using Catch::Matchers::Contains;
 using Catch::Matchers::WithinRel;
+using test::run;
 
 namespace {
-
-RunRecord run(Scene& scene) {
-  RunRecord record;
-  run_load_steps(scene, {}, record);
-  return record;
-}
 
 ErrorNorms at_samples(const Scene& scene) { return error_norms(scene.samples.value(), scene.exact.value(), 1.0); }
 

@@ -35,8 +35,9 @@ coarse to fine, and the other axes name the lines of pictures.
 
 **A fair clock.** Runs are processes of their own, one after the other, all with the same number of threads. The time of
 a run is that of the whole run but for what only tells of it: output, pictures, errors, probes, diagnostics, estimates.
-The first run of a call is made once more beforehand, unrecorded, so that it does not find the machine cold. With
-`repeat` the median counts, and the least and greatest are told.
+The first run of a call is made once more beforehand, unrecorded, so that it does not find the machine cold. Threads
+sleep where they wait (`OMP_WAIT_POLICY=passive`, `OPENBLAS_THREAD_TIMEOUT=4`, unless set otherwise). With `repeat` the
+median counts, and the least and greatest are told.
 
 **The same device.** Where cases have an exact solution, errors are measured at `samples`, the same places with the
 same weights in every run. Without one, runs are compared with a `reference`: `|q - q_ref|/|q_ref|` for displacement and
@@ -51,9 +52,9 @@ and runs what is missing or has changed: the case, the study, the version of the
 its folder. A study may be killed at any moment.
 
 **The answer.** `--tolerance stress.l2_relative=1e-2` names the cheapest setting of the study that meets it, on the grid
-of the study and on one shifted by (0.37, 0.21) cells; what a tenth and a hundredth of the error cost; and what the error
-is made of: grid, points, boundary points, band and time step are refined in turn, and the part whose refinement leaves
-the least error dominates.
+of the study and on one shifted by (0.37, 0.21) cells (not tried where a mesh, or supports on grid lines, leave the grid
+no other place); what a tenth and a hundredth of the error cost; and what the error is made of: grid, points, boundary
+points, band and time step are refined in turn, and the part whose refinement leaves the least error dominates.
 )";
 
 }  // namespace
