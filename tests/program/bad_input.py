@@ -8,7 +8,8 @@ import subprocess
 import sys
 import tempfile
 
-from wrong_cases import CASE, MESHES, PROJECTION, SQUARE, all_wrong_cases, gmsh
+from right_cases import CASE, MESHES, PROJECTION, SQUARE, gmsh
+from wrong_cases import all_wrong_cases
 from wrong_studies import FILES, STUDY, all_wrong_studies, wrong_companions
 
 PROGRAM = os.path.abspath(sys.argv[1])

@@ -11,7 +11,8 @@ import sys
 
 from jsonschema import Draft202012Validator
 
-from wrong_cases import CASE, DYNAMICS, PROJECTION, all_wrong_cases
+from right_cases import CASE, DYNAMICS, PROJECTION
+from wrong_cases import all_wrong_cases
 from wrong_studies import STUDY, all_wrong_studies
 
 PROGRAM, SOURCE = sys.argv[1:3]

@@ -2,7 +2,7 @@
 
 import json
 
-from wrong_cases import Wrong, changed, replaced
+from right_cases import Wrong, changed, replaced
 
 STUDY = {
     "title": "every key",
