@@ -198,8 +198,9 @@ TEST_CASE("a run whose limit falls below its step ends with step, time, point an
     message = error.what();
   }
   CHECK_THAT(message, Contains(fmt::format("step {} (t = ", record.steps + 1)) && Contains("material point ") &&
-                          Contains("is above the critical step, which has fallen from") && Contains("the fastest motion is that of the function at ") &&
-                          Contains("\"partly_lumped\"") && Contains("\"auto\""));
+                          Contains("is above the critical step, which has fallen from") &&
+                          Contains("the fastest motion is that of the function at ") && Contains("\"partly_lumped\"") &&
+                          Contains("\"auto\""));
   CHECK(record.steps > 0);
   CHECK(record.smallest_critical_step < 0.8 * critical);
 }

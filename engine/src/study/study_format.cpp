@@ -37,7 +37,8 @@ coarse to fine, and the other axes name the lines of pictures.
 a run is that of the whole run but for what only tells of it: output, pictures, errors, probes, diagnostics, estimates.
 The first run of a call is made once more beforehand, unrecorded, so that it does not find the machine cold. Threads
 sleep where they wait (`OMP_WAIT_POLICY=passive`, `OPENBLAS_THREAD_TIMEOUT=4`, unless set otherwise). With `repeat` the
-median counts, and the least and greatest are told.
+median counts, and the least and greatest are told: of repeats right after each other. From one call to the next a machine
+that others use drifts by more (by a fifth within minutes was measured), so times compare within a call.
 
 **The same device.** Where cases have an exact solution, errors are measured at `samples`, the same places with the
 same weights in every run. Without one, runs are compared with a `reference`: `|q - q_ref|/|q_ref|` for displacement and
