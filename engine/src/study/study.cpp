@@ -169,8 +169,7 @@ StudyOutcome run_study(const Study& study, const StudyOptions& options) {
   }
   StudyOutcome outcome;
   outcome.runs = static_cast<int>(table.rows.size());
-  outcome.failures =
-      static_cast<int>(std::ranges::count_if(table.rows, [](const StudyRow& row) { return !row.result.completed; }));
+  outcome.failures = outcome.runs - static_cast<int>(std::ranges::count_if(table.rows, completed));
   const auto no_picture = make_study_pictures(options.output);
   outcome.report =
       fmt::format("{}: {} runs, {} failed\n\n{}\n{}{}{}{}results: {}\n", study.title, outcome.runs, outcome.failures,
