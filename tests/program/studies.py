@@ -90,6 +90,9 @@ def budgets_hold():
     done = run(study("seconds", sine_square(), sweep, budget={"seconds": 1.0}))
     assert "longer than budget.seconds, 1 s" in done["rows"][1]["reason"], done["rows"][1]["reason"]
 
+
+def a_limited_address_space_fails_a_row():
+    sweep = [{"key": "grid.cell_size", "values": [0.5, 0.002]}]
     file = study("ulimit", sine_square(), sweep)
     limit = lambda: resource.setrlimit(resource.RLIMIT_AS, (6 * 10**8, 6 * 10**8))
     status = subprocess.run([PROGRAM, "study", file, "--output", "ulimit", "--quiet"], preexec_fn=limit, timeout=300,
@@ -277,7 +280,8 @@ def rows_come_from_outside():
 
 
 def main():
-    tests = [failing_runs_are_rows, budgets_hold, a_killed_study_goes_on, one_study_at_a_time,
+    tests = [failing_runs_are_rows, budgets_hold, a_limited_address_space_fails_a_row,
+             a_killed_study_goes_on, one_study_at_a_time,
              the_part_that_dominates_is_named, the_chosen_setting_holds_on_a_shifted_grid,
              without_an_exact_solution_runs_are_compared, rows_come_from_outside]
     wanted = sys.argv[2:]
