@@ -158,20 +158,20 @@ std::string weak_unknown(const StepState& step, Index unknown) {
 }
 
 std::optional<std::string> stray_point(const StepState& step, const Eigen::Matrix2Xd& increment) {
-  const auto n = at(step.supports.functions);
+  BasisAtPoints basis(step.basis, step.supports);
   double largest = 0.0;
   std::size_t cell = 0;
   Index point = 0;
   for (std::size_t c = 0; c < step.supports.cell.size(); ++c) {
     const ShortIndices functions = step.basis.functions_of(step.supports.cell[c]);
-    for (auto k = at(step.supports.first[c]); k < at(step.supports.first[c + 1]); ++k) {
+    basis.evaluate(static_cast<Index>(c), Evaluate::values);
+    for (Index k = step.supports.first[c]; k < step.supports.first[c + 1]; ++k) {
       Vec2 motion = Vec2::Zero();
-      for (std::size_t a = 0; a < n; ++a)
-        motion += step.supports.value[k * n + a] * increment.col(functions[static_cast<Eigen::Index>(a)]);
+      for (Eigen::Index a = 0; a < functions.size(); ++a) motion += basis.value(k)[a] * increment.col(functions[a]);
       if (motion.norm() <= largest) continue;
       largest = motion.norm();
       cell = c;
-      point = step.supports.point[k];
+      point = step.supports.point[at(k)];
     }
   }
   const auto& x = step.points.position;

@@ -27,13 +27,23 @@ struct PatchPoints {
   const PointSupports& supports;
   const std::vector<Index>& cells;  ///< of the patch, as places in supports.cell
 
-  /// Calls visit(place in supports, number of the point, functions of its cell).
+  /// Calls visit(number of the point, its place).
   template <class Visit>
   void each(Visit&& visit) const {
+    for (const Index c : cells)
+      for (Index k = supports.first[at(c)]; k < supports.first[at(c) + 1]; ++k)
+        visit(supports.point[at(k)], supports.place[at(k)]);
+  }
+
+  /// Calls visit(number of the point, its place, gradients there, functions of its cell).
+  template <class Visit>
+  void each_with_gradients(Visit&& visit) const {
+    BasisAtPoints at_points(basis, supports);
     for (const Index c : cells) {
       const ShortIndices functions = basis.functions_of(supports.cell[at(c)]);
+      at_points.evaluate(c);
       for (Index k = supports.first[at(c)]; k < supports.first[at(c) + 1]; ++k)
-        visit(at(k), supports.point[at(k)], functions);
+        visit(supports.point[at(k)], supports.place[at(k)], at_points.gradient(k), functions);
     }
   }
 };
@@ -64,9 +74,9 @@ double half_width(const PatchPoints& all) {
 Vec2 centroid(const PatchPoints& all) {
   double volume = 0.0;
   Vec2 moment = Vec2::Zero();
-  all.each([&](std::size_t, Index p, const ShortIndices&) {
+  all.each([&](Index p, const Vec2& x) {
     volume += all.points.volume[p];
-    moment += all.points.volume[p] * all.points.position.col(p);
+    moment += all.points.volume[p] * x;
   });
   return moment / volume;
 }
@@ -98,11 +108,10 @@ DilatationPatch make_patch(const PatchPoints& all, const PolynomialSpace& polyno
   const Eigen::Index m = polynomials.size();
   Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(m, m);
   Eigen::MatrixXd divergence = Eigen::MatrixXd::Zero(m, 2 * static_cast<Eigen::Index>(patch.functions.size()));
-  all.each([&](std::size_t k, Index p, const ShortIndices& functions) {
-    const Eigen::VectorXd q = polynomials((all.points.position.col(p) - patch.centre) / patch.length);
+  all.each_with_gradients([&](Index p, const Vec2& x, const double* gradient, const ShortIndices& functions) {
+    const Eigen::VectorXd q = polynomials((x - patch.centre) / patch.length);
     const Eigen::VectorXd weighted = all.points.volume[p] * q;
     mass += weighted * q.transpose();
-    const double* gradient = &all.supports.gradient[k * 2 * static_cast<std::size_t>(functions.size())];
     for (Eigen::Index a = 0; a < functions.size(); ++a) {
       const Eigen::Index to = place_of(patch.functions, functions[a]);
       divergence.col(to) += gradient[2 * a] * weighted;
@@ -183,17 +192,20 @@ Eigen::RowVectorXd Dilatation::correction(const MaterialPoints& points, const Po
                                           const Eigen::Matrix2Xd& increment) const {
   std::vector<Eigen::VectorXd> coefficient;
   for (const DilatationPatch& patch : patches_) coefficient.push_back(coefficients(patch, increment));
-  const auto n = static_cast<std::size_t>(supports.functions);
   Eigen::RowVectorXd stress(points.size());
-#pragma omp parallel for schedule(static) if (worth_threads(supports.point.size()))
-  for (Index c = 0; c < supports.cells(); ++c) {
-    const std::size_t patch = patch_of(supports.cell[at(c)]);
-    const Eigen::Matrix2Xd d = increment(Eigen::all, basis_->functions_of(supports.cell[at(c)]));
-    for (auto k = at(supports.first[at(c)]); k < at(supports.first[at(c) + 1]); ++k) {
-      const Index p = supports.point[k];
-      const Eigen::Map<const Eigen::Matrix2Xd> gradient(&supports.gradient[2 * k * n], 2, supports.functions);
-      const double projected = polynomials(patches_[patch], points.position.col(p)).dot(coefficient[patch]);
-      stress[p] = lambda_ * (projected - gradient.cwiseProduct(d).sum());
+#pragma omp parallel if (worth_threads(supports.point.size()))
+  {
+    BasisAtPoints basis(*basis_, supports);
+#pragma omp for schedule(static)
+    for (Index c = 0; c < supports.cells(); ++c) {
+      const std::size_t patch = patch_of(supports.cell[at(c)]);
+      const Eigen::Matrix2Xd d = increment(Eigen::all, basis_->functions_of(supports.cell[at(c)]));
+      basis.evaluate(c);
+      for (Index k = supports.first[at(c)]; k < supports.first[at(c) + 1]; ++k) {
+        const Eigen::Map<const Eigen::Matrix2Xd> gradient(basis.gradient(k), 2, supports.functions);
+        const double projected = polynomials(patches_[patch], supports.place[at(k)]).dot(coefficient[patch]);
+        stress[supports.point[at(k)]] = lambda_ * (projected - gradient.cwiseProduct(d).sum());
+      }
     }
   }
   return stress;

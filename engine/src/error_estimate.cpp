@@ -16,18 +16,21 @@ constexpr double vanishing = 1e-12;  ///< of the stress: what is left of it is r
 /// A symmetric tensor at every function or point: xx, yy, xy.
 using Tensors = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// The values of the functions at the k-th point in the order of cells.
-Eigen::Map<const Eigen::VectorXd> values(const PointSupports& supports, Index k) {
-  return {&supports.value[static_cast<std::size_t>(k) * static_cast<std::size_t>(supports.functions)],
-          supports.functions};
-}
+/// The values of the functions at a point.
+using Values = Eigen::Map<const Eigen::VectorXd>;
 
-/// Calls visit(functions, first, last) for the functions and the range of points of each cell.
+/// Calls visit(functions, points) for the functions of each cell and its points, a function that calls use(k, values)
+/// for each, k in the order of cells.
 template <class Visit>
 void for_each_cell(const Basis& basis, const PointSupports& supports, Visit&& visit) {
+  BasisAtPoints at_points(basis, supports);
   for (Index c = 0; c < supports.cells(); ++c) {
     const auto cell = static_cast<std::size_t>(c);
-    visit(basis.functions_of(supports.cell[cell]), supports.first[cell], supports.first[cell + 1]);
+    at_points.evaluate(c, Evaluate::values);
+    visit(basis.functions_of(supports.cell[cell]), [&](auto&& use) {
+      for (Index k = supports.first[cell]; k < supports.first[cell + 1]; ++k)
+        use(k, Values(at_points.value(k), supports.functions));
+    });
   }
 }
 
@@ -36,10 +39,11 @@ Index point_at(const PointSupports& supports, Index k) { return supports.point[s
 /// Numbers the functions that some point sees; −1: none does.
 std::vector<Index> number_functions(const Basis& basis, const MaterialPoints& points, const PointSupports& supports) {
   Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(basis.functions());
-  for_each_cell(basis, supports, [&](const ShortIndices& functions, Index first, Index last) {
-    for (Index k = first; k < last; ++k)
+  for_each_cell(basis, supports, [&](const ShortIndices& functions, auto&& points_of_cell) {
+    points_of_cell([&](Index k, const Values& values) {
       for (Index a = 0; a < supports.functions; ++a)
-        diagonal[functions[a]] += points.volume[point_at(supports, k)] * std::pow(values(supports, k)[a], 2);
+        diagonal[functions[a]] += points.volume[point_at(supports, k)] * std::pow(values[a], 2);
+    });
   });
   std::vector<Index> number(static_cast<std::size_t>(basis.functions()), -1);
   Index next = 0;
@@ -52,11 +56,12 @@ std::vector<Index> number_functions(const Basis& basis, const MaterialPoints& po
 SparseMatrix mass_of(const Basis& basis, const MaterialPoints& points, const PointSupports& supports,
                      const std::vector<Index>& number) {
   std::vector<Eigen::Triplet<double>> entries;
-  for_each_cell(basis, supports, [&](const ShortIndices& functions, Index first, Index last) {
+  for_each_cell(basis, supports, [&](const ShortIndices& functions, auto&& points_of_cell) {
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_support, max_support> block;
     block.setZero(supports.functions, supports.functions);
-    for (Index k = first; k < last; ++k)
-      block += points.volume[point_at(supports, k)] * values(supports, k) * values(supports, k).transpose();
+    points_of_cell([&](Index k, const Values& values) {
+      block += points.volume[point_at(supports, k)] * values * values.transpose();
+    });
     for (Index a = 0; a < supports.functions; ++a)
       for (Index b = 0; b < supports.functions; ++b) {
         const Index row = number[static_cast<std::size_t>(functions[a])];
@@ -78,13 +83,13 @@ Tensors recovered(const Basis& basis, const MaterialPoints& points, const PointS
                   const std::vector<Index>& number) {
   const SparseMatrix mass = mass_of(basis, points, supports, number);
   Tensors load = Tensors::Zero(mass.size, 3);
-  for_each_cell(basis, supports, [&](const ShortIndices& functions, Index first, Index last) {
-    for (Index k = first; k < last; ++k) {
+  for_each_cell(basis, supports, [&](const ShortIndices& functions, auto&& points_of_cell) {
+    points_of_cell([&](Index k, const Values& values) {
       const Index p = point_at(supports, k);
       for (Index a = 0; a < supports.functions; ++a)
         if (const Index row = number[static_cast<std::size_t>(functions[a])]; row >= 0)
-          load.row(row) += points.volume[p] * values(supports, k)[a] * points.stress.col(p).head<3>().transpose();
-    }
+          load.row(row) += points.volume[p] * values[a] * points.stress.col(p).head<3>().transpose();
+    });
   });
   LinearSolver solver;
   solver.analyse(mass);
@@ -106,15 +111,14 @@ ErrorEstimate error_estimate(const Basis& basis, const MaterialPoints& points, c
                          .stress_at_point = Eigen::VectorXd(points.size()),
                          .functions = *std::ranges::max_element(number) + 1};
   double whole = 0.0;
-  for_each_cell(basis, supports, [&](const ShortIndices& functions, Index first, Index last) {
-    for (Index k = first; k < last; ++k) {
+  for_each_cell(basis, supports, [&](const ShortIndices& functions, auto&& points_of_cell) {
+    points_of_cell([&](Index k, const Values& values) {
       const Index p = point_at(supports, k);
       Vec3 there = Vec3::Zero();
-      for (Index a = 0; a < supports.functions; ++a)
-        there += values(supports, k)[a] * stress.row(functions[a]).transpose();
+      for (Index a = 0; a < supports.functions; ++a) there += values[a] * stress.row(functions[a]).transpose();
       estimate.stress_at_point[p] = (there - points.stress.col(p).head<3>()).norm();
       whole += points.volume[p] * there.squaredNorm();
-    }
+    });
   });
   const double square = estimate.stress_at_point.cwiseAbs2().dot(points.volume);
   estimate.stress_l2 = std::sqrt(square);

@@ -9,7 +9,7 @@ MaterialPoints points_at(Eigen::Matrix2Xd position, Eigen::VectorXd volume) {
           .displacement = Eigen::Matrix2Xd::Zero(2, n),
           .volume = std::move(volume),
           .stress = Eigen::Matrix4Xd::Zero(4, n),
-          .strain = Eigen::Matrix3Xd::Zero(3, n),
+          .strain = {},
           .on_outline = {}};
 }
 
@@ -31,8 +31,20 @@ PointSupports locate_points(const Basis& basis, const MaterialPoints& points, Po
   PointSupports supports = std::move(reuse);
   supports.functions = basis.functions_per_cell();
   group_points(cell, basis.grid(), supports);
-  evaluate_supports(basis, points, supports);
+  note_places(points, supports);
   return supports;
+}
+
+void BasisAtPoints::evaluate(Index c, Evaluate what) {
+  const auto at = static_cast<std::size_t>(c);
+  begin_ = supports_->first[at];
+  const auto count = static_cast<std::size_t>(supports_->first[at + 1] - begin_);
+  const auto n = static_cast<std::size_t>(supports_->functions);
+  const bool gradients = what == Evaluate::values_and_gradients;
+  if (value_.size() < count * n) value_.resize(count * n);
+  if (gradients && gradient_.size() < 2 * count * n) gradient_.resize(2 * count * n);
+  basis_->evaluate(supports_->cell[at], std::span(&supports_->place[static_cast<std::size_t>(begin_)], count),
+                   value_.data(), gradients ? gradient_.data() : nullptr);
 }
 
 void sort_by_cell(const Basis& basis, MaterialPoints& points) {

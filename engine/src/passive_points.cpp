@@ -21,7 +21,7 @@ PointSupports locate_passive(const Basis& basis, const std::vector<char>& active
   PointSupports supports;
   supports.functions = basis.functions_per_cell();
   group_points(cell, basis.grid(), supports);
-  evaluate_supports(basis, points, supports);
+  note_places(points, supports);
   return supports;
 }
 

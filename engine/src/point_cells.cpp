@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -20,14 +21,18 @@ constexpr double nudge = 1e-9;  ///< of a cell: moves a point on the outline off
 std::vector<Index> cells_of(const Basis& basis, const MaterialPoints& points) {
   const Grid& grid = basis.grid();
   std::vector<Index> cell(static_cast<std::size_t>(points.size()));
+  constexpr Index batch = 64;
 #pragma omp parallel if (worth_threads(cell.size()))
   {
+    std::array<Vec2, batch> x;
     Index before = 0;  // points are sorted by cell: most share that of the point before
 #pragma omp for schedule(static)
-    for (Index p = 0; p < points.size(); ++p) {
-      const std::optional<Index> found = grid.locate(points.position.col(p), before);
-      cell[static_cast<std::size_t>(p)] = found.value_or(-1);
-      before = found.value_or(before);
+    for (Index first = 0; first < points.size(); first += batch) {
+      const Index count = std::min(batch, points.size() - first);
+      for (Index k = 0; k < count; ++k) x[static_cast<std::size_t>(k)] = points.position.col(first + k);
+      Index* const found = &cell[static_cast<std::size_t>(first)];
+      grid.locate_all(std::span(x.data(), static_cast<std::size_t>(count)), before, found);
+      before = std::max(found[count - 1], Index{0});
     }
   }
   keep_on_body_side(basis, points, cell);
@@ -94,7 +99,7 @@ void reorder(const std::vector<Index>& order, MaterialPoints& points) {
   reorder_columns(order, points.position);
   reorder_columns(order, points.displacement);
   reorder_columns(order, points.stress);
-  reorder_columns(order, points.strain);
+  if (points.strain.cols() > 0) reorder_columns(order, points.strain);
   std::vector<Index> place(static_cast<std::size_t>(points.size()), -1);
   for (std::size_t k = 0; k < order.size(); ++k) place[static_cast<std::size_t>(order[k])] = static_cast<Index>(k);
   reorder_entries(order, points.volume);
@@ -102,23 +107,10 @@ void reorder(const std::vector<Index>& order, MaterialPoints& points) {
   std::erase_if(points.on_outline, [](const OutlinePoint& edge) { return edge.point < 0; });
 }
 
-void evaluate_supports(const Basis& basis, const MaterialPoints& points, PointSupports& supports) {
-  const Eigen::Index n = supports.functions;
-  supports.value.resize(points.size() * n);
-  supports.gradient.resize(points.size() * 2 * n);
-#pragma omp parallel if (worth_threads(supports.point.size()))
-  {
-    std::vector<Vec2> x;
-#pragma omp for schedule(static)
-    for (Index c = 0; c < supports.cells(); ++c) {
-      const auto at = static_cast<std::size_t>(c);
-      const Index begin = supports.first[at];
-      x.clear();
-      for (Index k = begin; k < supports.first[at + 1]; ++k)
-        x.push_back(points.position.col(supports.point[static_cast<std::size_t>(k)]));
-      basis.evaluate(supports.cell[at], x, &supports.value[begin * n], &supports.gradient[begin * 2 * n]);
-    }
-  }
+void note_places(const MaterialPoints& points, PointSupports& supports) {
+  supports.place.resize(supports.point.size());
+#pragma omp parallel for schedule(static) if (worth_threads(supports.point.size()))
+  for (std::size_t k = 0; k < supports.point.size(); ++k) supports.place[k] = points.position.col(supports.point[k]);
 }
 
 }  // namespace shoreline

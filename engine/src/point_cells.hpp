@@ -22,12 +22,12 @@ void require_inside(const std::vector<Index>& cell, const MaterialPoints& points
 /// @pre every point has a cell
 void order_by_cell(const std::vector<Index>& cell, Index cells, std::vector<Index>& order);
 
-/// Lists the occupied cells with their points; values and gradients stay as they are.
+/// Lists the occupied cells with their points; the places stay as they are.
 /// @pre every point has a cell
 void group_points(const std::vector<Index>& cell, const Grid& grid, PointSupports& supports);
 
-/// Evaluates the basis at the points, for the cells in which supports say that they sit.
-void evaluate_supports(const Basis& basis, const MaterialPoints& points, PointSupports& supports);
+/// Notes where the points are, in the order of cells.
+void note_places(const MaterialPoints& points, PointSupports& supports);
 
 /// The columns of a field, one a point, in a new order; what is not in it is gone.
 template <class Field>

@@ -20,6 +20,7 @@ using Centres = Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, max_support>;
 WeightConstraints::WeightConstraints(Consistency consistency, const Basis& basis, const MaterialPoints& points,
                                      const PointSupports& supports)
     : moments_(consistency == Consistency::linear ? 3 : 1), basis_(basis), points_(points), supports_(supports) {
+  evaluate_basis();
   const Index parts = basis.grid().parts();
   h_.assign(at(basis.functions()), 0.0);
   for (Index c = 0; c < supports.cells(); ++c) {
@@ -34,6 +35,24 @@ WeightConstraints::WeightConstraints(Consistency consistency, const Basis& basis
   seen_.assign(at(basis.functions()), 0);
   for (const Element& element : element_)
     for (const Index f : functions_of(element)) seen_[at(f)] = 1;
+}
+
+void WeightConstraints::evaluate_basis() {
+  const auto n = at(supports_.functions);
+  gradient_.resize(supports_.point.size() * 2 * n);
+  if (moments_ > 1) value_.resize(supports_.point.size() * n);
+#pragma omp parallel if (worth_threads(supports_.point.size()))
+  {
+    BasisAtPoints basis(basis_, supports_);
+#pragma omp for schedule(static)
+    for (Index c = 0; c < supports_.cells(); ++c) {
+      const Index begin = supports_.first[at(c)];
+      const auto count = at(supports_.first[at(c) + 1] - begin);
+      basis.evaluate(c);
+      std::copy_n(basis.gradient(begin), count * 2 * n, &gradient_[at(begin) * 2 * n]);
+      if (moments_ > 1) std::copy_n(basis.value(begin), count * n, &value_[at(begin) * n]);
+    }
+  }
 }
 
 ShortIndices WeightConstraints::functions_of(const Element& element) const {
@@ -56,7 +75,7 @@ void WeightConstraints::for_points(const Element& element, Use&& use) const {
     for (std::size_t a = 0; a < n; ++a)
       place[a] = std::find(order.begin(), order.end(), here[static_cast<Eigen::Index>(a)]) - order.begin();
     for (Index k = supports_.first[at(c)]; k < supports_.first[at(c) + 1]; ++k) {
-      const double* const from = &supports_.gradient[at(k) * 2 * n];
+      const double* const from = &gradient_[at(k) * 2 * n];
       for (std::size_t a = 0; a < n; ++a) gradient.col(place[a]) << from[2 * a], from[2 * a + 1];
       use(k, Vec2(points_.position.col(supports_.point[at(k)])), gradient);
     }
@@ -83,7 +102,7 @@ Eigen::VectorXd WeightConstraints::right_side(const std::vector<Edge>& edges) co
     for (Index k = supports_.first[at(c)]; k < supports_.first[at(c) + 1]; ++k)
       for (std::size_t a = 0; a < n; ++a) {
         const Index f = functions[static_cast<Eigen::Index>(a)];
-        const double part = points_.volume[supports_.point[at(k)]] * supports_.value[at(k) * n + a] / h_[at(f)];
+        const double part = points_.volume[supports_.point[at(k)]] * value_[at(k) * n + a] / h_[at(f)];
         side[2 * (3 * f + 1)] -= part;
         side[2 * (3 * f + 2) + 1] -= part;
       }

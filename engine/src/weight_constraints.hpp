@@ -22,7 +22,7 @@ enum class Consistency {
 /// consistency. Sums run over elements and functions in a fixed order.
 class WeightConstraints {
  public:
-  /// @param supports  of the points, with gradients (and values, for linear consistency)
+  /// Evaluates the basis at all points, once for all iterations.
   WeightConstraints(Consistency consistency, const Basis& basis, const MaterialPoints& points,
                     const PointSupports& supports);
 
@@ -52,6 +52,7 @@ class WeightConstraints {
   /// Calls use(k, x, g) for the points of an element; g is (2, n) in the order of the functions of its first cell.
   template <class Use>
   void for_points(const Element& element, Use&& use) const;
+  void evaluate_basis();
   [[nodiscard]] ShortIndices functions_of(const Element& element) const;
   [[nodiscard]] Eigen::Vector3d shape(Index function, const Vec2& x, const Vec2& centre) const;
 
@@ -59,7 +60,9 @@ class WeightConstraints {
   const Basis& basis_;
   const MaterialPoints& points_;
   const PointSupports& supports_;
-  std::vector<double> h_;  ///< (functions) largest size of a cell with points that sees the function [m]
+  std::vector<double> value_;     ///< (points · n) in the order of cells, function fastest; linear consistency alone
+  std::vector<double> gradient_;  ///< (points · 2n), ∂x, ∂y of each function [1/m]
+  std::vector<double> h_;         ///< (functions) largest size of a cell with points that sees the function [m]
   std::vector<Element> element_;
   std::vector<char> seen_;
 };

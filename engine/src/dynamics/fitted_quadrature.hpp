@@ -10,10 +10,10 @@ namespace shoreline {
 class FittedQuadrature {
  public:
   /// Fits the weights to where points and edges are now, (W.7)–(W.9).
-  /// @param supports  with the cells of the points; values and gradients are found here
+  /// @param supports  with the cells of the points; their places are noted here
   void fit(const Basis& basis, const MaterialPoints& points, PointSupports& supports, const std::vector<Edge>& edges) {
     supports.functions = basis.functions_per_cell();
-    evaluate_supports(basis, points, supports);
+    note_places(points, supports);
     weight_ = weights_.fit(basis, points, supports, edges);
   }
 

@@ -11,14 +11,14 @@ class BodyForce final : public Contribution {
 
   void add(const StepState& step, ElementBlocks& blocks) const override {
     Eigen::Matrix2Xd force = Eigen::Matrix2Xd::Zero(2, step.basis.functions());
-    const auto n = static_cast<std::size_t>(step.supports.functions);
-    for (std::size_t c = 0; c < step.supports.cell.size(); ++c) {
-      const ShortIndices functions = step.basis.functions_of(step.supports.cell[c]);
-      for (auto k = static_cast<std::size_t>(step.supports.first[c]);
-           k < static_cast<std::size_t>(step.supports.first[c + 1]); ++k) {
-        const Vec2 at_point = force_of(step, step.supports.point[k]);
-        for (std::size_t a = 0; a < n; ++a)
-          force.col(functions[static_cast<Eigen::Index>(a)]) += step.supports.value[k * n + a] * at_point;
+    BasisAtPoints basis(step.basis, step.supports);
+    for (Index c = 0; c < step.supports.cells(); ++c) {
+      const auto cell = static_cast<std::size_t>(c);
+      const ShortIndices functions = step.basis.functions_of(step.supports.cell[cell]);
+      basis.evaluate(c, Evaluate::values);
+      for (Index k = step.supports.first[cell]; k < step.supports.first[cell + 1]; ++k) {
+        const Vec2 at_point = force_of(step, step.supports.point[static_cast<std::size_t>(k)]);
+        for (Eigen::Index a = 0; a < functions.size(); ++a) force.col(functions[a]) += basis.value(k)[a] * at_point;
       }
     }
     for (Index f = 0; f < step.basis.functions(); ++f)

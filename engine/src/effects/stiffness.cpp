@@ -1,5 +1,8 @@
 #include <algorithm>
+#include <span>
+#include <vector>
 
+#include "../linear_cell.hpp"
 #include "../threads.hpp"
 #include "shoreline/bases/error.hpp"
 #include "shoreline/engine/effects.hpp"
@@ -8,8 +11,81 @@ namespace shoreline {
 namespace {
 
 /// Σ V g gᵀ over some points of one cell, g = (∂x φ_1, ∂y φ_1, ∂x φ_2, …): all that a constant tangent needs to know.
+/// Lower half.
 template <int N>
 using GradientMoments = Eigen::Matrix<double, 2 * N, 2 * N>;
+
+template <int N>
+using Gradients = Eigen::Matrix<double, 2 * N, 1>;
+
+/// Adds a block of A rows and two columns of Σ V g gᵀ, whose sums stay in registers.
+/// @param g  (2N) gradients of point after point
+template <int A, int N>
+void add_tile(std::span<const double> volume, const double* g, Eigen::Index row, Eigen::Index column,
+              GradientMoments<N>& moments) {
+  double first[A];
+  double second[A];
+  for (int a = 0; a < A; ++a) {
+    first[a] = moments(row + a, column);
+    second[a] = moments(row + a, column + 1);
+  }
+  for (const double v : volume) {
+    const double g0 = v * g[column];
+    const double g1 = v * g[column + 1];
+    for (int a = 0; a < A; ++a) {
+      first[a] += g0 * g[row + a];
+      second[a] += g1 * g[row + a];
+    }
+    g += 2 * N;
+  }
+  for (int a = 0; a < A; ++a) {
+    moments(row + a, column) = first[a];
+    moments(row + a, column + 1) = second[a];
+  }
+}
+
+/// Adds the lower half of Σ V g gᵀ.
+template <int N>
+void add_products(std::span<const double> volume, const double* g, GradientMoments<N>& moments) {
+  for (Eigen::Index column = 0; column < 2 * N; column += 2) {
+    Eigen::Index row = column;
+    for (; row + 6 <= 2 * N; row += 6) add_tile<6, N>(volume, g, row, column, moments);
+    for (; row < 2 * N; row += 2) add_tile<2, N>(volume, g, row, column, moments);
+  }
+}
+
+/// What a cell's points add up to where gradients are linear there: products with m = (1, ξ, η).
+struct LinearMoments {
+  Mat3 volume;                         ///< Σ V m mᵀ
+  Eigen::Matrix<double, 4, 3> stress;  ///< Σ V σ mᵀ, σ = (xx, yy, xy, zz)
+};
+
+LinearMoments moments_of(const StepState& step, Index c, const LinearCell& cell) {
+  const auto at = static_cast<std::size_t>(c);
+  double v = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
+  Stress s = Stress::Zero(), sx = Stress::Zero(), sy = Stress::Zero();
+  for (auto k = static_cast<std::size_t>(step.supports.first[at]);
+       k < static_cast<std::size_t>(step.supports.first[at + 1]); ++k) {
+    const Index p = step.supports.point[k];
+    const Vec2 xi = cell.local(step.supports.place[k]);
+    const double weight = step.points.volume[p];
+    const double weight_x = weight * xi.x();
+    const double weight_y = weight * xi.y();
+    v += weight;
+    x += weight_x;
+    y += weight_y;
+    xx += weight_x * xi.x();
+    xy += weight_x * xi.y();
+    yy += weight_y * xi.y();
+    s += weight * step.points.stress.col(p);
+    sx += weight_x * step.points.stress.col(p);
+    sy += weight_y * step.points.stress.col(p);
+  }
+  LinearMoments sums;
+  sums.volume << v, x, y, x, xx, xy, y, xy, yy;
+  sums.stress << s, sx, sy;
+  return sums;
+}
 
 /// Bᵀ D B summed over points, from the moments of their gradients: block (a, b) is linear in Σ V g_a g_bᵀ, (E.5).
 template <int N>
@@ -52,42 +128,93 @@ class Stiffness final : public Contribution {
  private:
   template <int N>
   void add_cells(const StepState& step, std::size_t begin, ElementBlocks& blocks) const {
-#pragma omp parallel for schedule(static) if (worth_threads(step.supports.point.size()))
-    for (Index c = 0; c < step.supports.cells(); ++c)
-      add_cell<N>(step, static_cast<std::size_t>(c), begin + static_cast<std::size_t>(c), blocks);
+    const bool linear = material_->constant_tangent() && step.basis.gradient_degree() <= 1;
+#pragma omp parallel if (worth_threads(step.supports.point.size()))
+    {
+      BasisAtPoints basis(step.basis, step.supports);
+      std::vector<double> volume;
+#pragma omp for schedule(static)
+      for (Index c = 0; c < step.supports.cells(); ++c) {
+        const std::size_t block = begin + static_cast<std::size_t>(c);
+        const ShortIndices functions = step.basis.functions_of(step.supports.cell[static_cast<std::size_t>(c)]);
+        std::ranges::copy(functions, blocks.function.begin() + blocks.first[block]);
+        if (linear)
+          add_linear_cell<N>(step, c, block, blocks);
+        else
+          add_cell<N>(step, c, block, basis, volume, blocks);
+      }
+    }
+  }
+
+  /// With gradients C m, Σ V g gᵀ is C (Σ V m mᵀ) Cᵀ: the basis is evaluated at three places of a cell instead of all
+  /// its points.
+  template <int N>
+  void add_linear_cell(const StepState& step, Index c, std::size_t block, ElementBlocks& blocks) const {
+    const auto at = static_cast<std::size_t>(c);
+    const LinearCell cell(step.basis, step.supports.cell[at],
+                          step.supports.place[static_cast<std::size_t>(step.supports.first[at])]);
+    const LinearMoments sums = moments_of(step, c, cell);
+    Eigen::Matrix<double, 2 * N, 3> coefficient(cell.gradient.data());
+    coefficient.col(1) -= coefficient.col(0);
+    coefficient.col(2) -= coefficient.col(0);
+
+    const Eigen::Matrix<double, 2 * N, 3> weighted = coefficient.lazyProduct(sums.volume);
+    const GradientMoments<N> moments = weighted.lazyProduct(coefficient.transpose());
+    GradientMoments<N> stiffness = GradientMoments<N>::Zero();
+    add_stiffness<N>(moments, material_->tangent(Stress::Zero()), stiffness);
+    blocks.add(block, stiffness);
+    if (step.loading != Loading::residual) return;
+    const Eigen::Matrix<double, 2 * N, 4> along =
+        coefficient.lazyProduct(sums.stress.transpose());  // ∂φ times xx, yy, xy
+    auto force = blocks.force_of(block);
+    for (int a = 0; a < N; ++a) {
+      force[2 * a] -= along(2 * a, 0) + along(2 * a + 1, 2);
+      force[2 * a + 1] -= along(2 * a + 1, 1) + along(2 * a, 2);
+    }
   }
 
   template <int N>
-  void add_cell(const StepState& step, std::size_t c, std::size_t block, ElementBlocks& blocks) const {
-    using Gradients = Eigen::Matrix<double, 2 * N, 1>;
-    const bool once_a_cell = material_->constant_tangent();
-    const bool internal_force = step.loading == Loading::residual;
-    const ShortIndices functions = step.basis.functions_of(step.supports.cell[c]);
-    std::ranges::copy(functions, blocks.function.begin() + blocks.first[block]);
+  void add_cell(const StepState& step, Index c, std::size_t block, BasisAtPoints& basis, std::vector<double>& volume,
+                ElementBlocks& blocks) const {
+    const Index first = step.supports.first[static_cast<std::size_t>(c)];
+    const Index last = step.supports.first[static_cast<std::size_t>(c) + 1];
+    basis.evaluate(c);
+    volume.clear();
+    for (Index k = first; k < last; ++k)
+      volume.push_back(step.points.volume[step.supports.point[static_cast<std::size_t>(k)]]);
+
     GradientMoments<N> moments = GradientMoments<N>::Zero();
-    Eigen::Matrix<double, 2 * N, 2 * N> stiffness = Eigen::Matrix<double, 2 * N, 2 * N>::Zero();
-    Gradients force = Gradients::Zero();
-    for (auto k = static_cast<std::size_t>(step.supports.first[c]);
-         k < static_cast<std::size_t>(step.supports.first[c + 1]); ++k) {
-      const Index p = step.supports.point[k];
-      const Eigen::Map<const Gradients> g(&step.supports.gradient[k * 2 * N]);
-      const double volume = step.points.volume[p];
-      moments.noalias() += (volume * g) * g.transpose();
-      if (!once_a_cell) {
-        add_stiffness<N>(moments, material_->tangent(step.points.stress.col(p)), stiffness);
+    GradientMoments<N> stiffness = GradientMoments<N>::Zero();
+    if (material_->constant_tangent()) {
+      add_products<N>(volume, basis.gradient(first), moments);
+      add_stiffness<N>(moments, material_->tangent(Stress::Zero()), stiffness);
+    } else {
+      for (Index k = first; k < last; ++k) {
+        const std::span<const double> own(&volume[static_cast<std::size_t>(k - first)], 1);
         moments.setZero();
-      }
-      if (internal_force) {
-        const auto s = step.points.stress.col(p);
-        for (int a = 0; a < N; ++a) {
-          force[2 * a] -= volume * (g[2 * a] * s[0] + g[2 * a + 1] * s[2]);
-          force[2 * a + 1] -= volume * (g[2 * a + 1] * s[1] + g[2 * a] * s[2]);
-        }
+        add_products<N>(own, basis.gradient(k), moments);
+        const Index p = step.supports.point[static_cast<std::size_t>(k)];
+        add_stiffness<N>(moments, material_->tangent(step.points.stress.col(p)), stiffness);
       }
     }
-    if (once_a_cell) add_stiffness<N>(moments, material_->tangent(Stress::Zero()), stiffness);
     blocks.add(block, stiffness);
-    blocks.force_of(block) += force;
+    if (step.loading == Loading::residual) subtract_internal_force<N>(step, first, last, basis, blocks.force_of(block));
+  }
+
+  template <int N>
+  static void subtract_internal_force(const StepState& step, Index first, Index last, const BasisAtPoints& basis,
+                                      Eigen::Map<Eigen::VectorXd> force) {
+    Gradients<N> sum = Gradients<N>::Zero();
+    for (Index k = first; k < last; ++k) {
+      const Index p = step.supports.point[static_cast<std::size_t>(k)];
+      const Vec3 s = step.points.volume[p] * step.points.stress.col(p).template head<3>();
+      const double* const g = basis.gradient(k);
+      for (int a = 0; a < N; ++a) {
+        sum[2 * a] += g[2 * a] * s[0] + g[2 * a + 1] * s[2];
+        sum[2 * a + 1] += g[2 * a + 1] * s[1] + g[2 * a] * s[2];
+      }
+    }
+    force -= sum;
   }
 
   std::shared_ptr<const Material> material_;

@@ -55,6 +55,9 @@ class Basis {
   /// Order r of the derivatives that are continuous across faces: 0 for bilinear.
   [[nodiscard]] virtual int continuity() const = 0;
 
+  /// Total degree of the gradients on a cell: 0 for linear triangles, 1 for bilinear and Powell-Sabin functions.
+  [[nodiscard]] virtual int gradient_degree() const = 0;
+
   /// The functions that do not vanish on a cell, in the order in which evaluate returns them.
   [[nodiscard]] virtual ShortIndices functions_of(Index cell) const = 0;
 

@@ -52,8 +52,9 @@ class Grid {
   /// @param hint  a cell near x (the one that held the point before), or 0
   [[nodiscard]] virtual std::optional<Index> locate(const Vec2& x, Index hint) const = 0;
 
-  /// The cells that hold places near one cell, −1 for none.
+  /// The cells that hold places near each other, −1 for none.
   /// @param x     (m) [m]
+  /// @param hint  a cell near the first
   /// @param cell  (m)
   virtual void locate_all(std::span<const Vec2> x, Index hint, Index* cell) const;
 

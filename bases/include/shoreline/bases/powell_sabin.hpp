@@ -24,6 +24,7 @@ class PowellSabinBasis final : public Basis {
   [[nodiscard]] int functions_per_cell() const override { return 9; }
   [[nodiscard]] int degree() const override { return 2; }
   [[nodiscard]] int continuity() const override { return 1; }
+  [[nodiscard]] int gradient_degree() const override { return 1; }
   [[nodiscard]] ShortIndices functions_of(Index cell) const override;
   [[nodiscard]] Vec2 control_point(Index function) const override;
   void evaluate(Index cell, std::span<const Vec2> x, double* value, double* gradient) const override;

@@ -19,26 +19,29 @@ struct MaterialPoints {
   Eigen::Matrix2Xd displacement;  ///< since the start [m]; position − displacement is the original position
   Eigen::VectorXd volume;         ///< [m³ per metre of thickness], positive
   Eigen::Matrix4Xd stress;        ///< xx, yy, xy, zz [Pa]
-  Eigen::Matrix3Xd strain;        ///< xx, yy, xy (engineering)
+  Eigen::Matrix3Xd strain;        ///< xx, yy, xy (engineering); no columns where nothing asks for it
   std::vector<OutlinePoint> on_outline;
 
   [[nodiscard]] Index size() const { return static_cast<Index>(volume.size()); }
 };
 
-/// Points at rest without stress.
+/// Points at rest without stress, which keep no strain.
 /// @param position  (2, n) [m]
 /// @param volume    (n) [m³ per metre of thickness]
 [[nodiscard]] MaterialPoints points_at(Eigen::Matrix2Xd position, Eigen::VectorXd volume);
 
-/// Where every material point sits, and the basis there: evaluated once a load step.
+/// What is evaluated of a basis.
+enum class Evaluate { values, values_and_gradients };
+
+/// Where every material point sits: found once a load step. The basis there is evaluated by those who use it, cell by
+/// cell (BasisAtPoints): that takes less time than to write it down for all points and to read it again.
 struct PointSupports {
-  std::vector<Index> cell;       ///< (m) the cells that hold points, ascending
-  std::vector<Index> first;      ///< (m + 1) range of each such cell in the arrays below
-  std::vector<Index> point;      ///< points in the order of cells
-  int functions = 0;             ///< n per cell
-  std::vector<double> value;     ///< (points · n), function fastest
-  std::vector<double> gradient;  ///< (points · 2n), ∂x, ∂y of each function [1/m]
-  std::vector<char> active;      ///< (cells of the grid) 1 in all parts of an element in which a material point sits
+  std::vector<Index> cell;   ///< (m) the cells that hold points, ascending
+  std::vector<Index> first;  ///< (m + 1) range of each such cell in the arrays below
+  std::vector<Index> point;  ///< points in the order of cells
+  std::vector<Vec2> place;   ///< where they were located, in this order [m]
+  int functions = 0;         ///< n per cell
+  std::vector<char> active;  ///< (cells of the grid) 1 in all parts of an element in which a material point sits
 
   [[nodiscard]] Index cells() const { return static_cast<Index>(cell.size()); }
 };
@@ -46,7 +49,31 @@ struct PointSupports {
 /// @throws ComputationError naming the first point outside the grid, its position, and how many there are
 void check_inside(const Basis& basis, const MaterialPoints& points);
 
-/// Finds the cells of all points and evaluates the basis there.
+/// The basis at the points of one cell after the other, in memory that serves again.
+class BasisAtPoints {
+ public:
+  /// @param supports  outlive this object
+  BasisAtPoints(const Basis& basis, const PointSupports& supports) : basis_(&basis), supports_(&supports) {}
+
+  /// Evaluates at the points of the c-th occupied cell.
+  void evaluate(Index c, Evaluate what = Evaluate::values_and_gradients);
+
+  /// (n) values at the k-th point in the order of cells. @pre one of the cell that was evaluated last
+  [[nodiscard]] const double* value(Index k) const { return value_.data() + (k - begin_) * supports_->functions; }
+  /// (2n) ∂x, ∂y of each function there [1/m]. @pre gradients were asked for, too
+  [[nodiscard]] const double* gradient(Index k) const {
+    return gradient_.data() + 2 * (k - begin_) * supports_->functions;
+  }
+
+ private:
+  const Basis* basis_;
+  const PointSupports* supports_;
+  Index begin_ = 0;  ///< first point of the cell
+  std::vector<double> value_;
+  std::vector<double> gradient_;
+};
+
+/// Finds the cells of all points.
 ///
 /// @param reuse  the supports of the step before, whose memory serves again
 /// @throws ComputationError naming the first point outside the grid, its position, and how many there are
