@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "shoreline/bases/counters.hpp"
+
 namespace shoreline {
 
 Vec2 Support::interpolate(const Eigen::Matrix2Xd& coefficient) const {
@@ -17,6 +19,7 @@ Mat2 Support::gradient_of(const Eigen::Matrix2Xd& coefficient) const {
 }
 
 Support Basis::support(Index cell, const Vec2& x) const {
+  count(Work::evaluations);
   Support support{functions_of(cell), ShortVector(functions_per_cell()), ShortGradients(2, functions_per_cell())};
   evaluate(cell, std::span(&x, 1), support.value.data(), support.gradient.data());
   return support;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <string>
 
+#include "shoreline/bases/counters.hpp"
 #include "shoreline/bases/error.hpp"
 #include "shoreline/boundary/region.hpp"
 #include "shoreline/boundary/triangle_moments.hpp"
@@ -103,8 +104,12 @@ int highest_order(const Grid& grid) {
 }
 
 BodyMoments body_moments(std::span<const SplineCurve> curves, const Grid& grid, int order) {
-  if (const auto* triangles = dynamic_cast<const TriangleGrid*>(&grid)) return of_triangles(curves, *triangles, order);
-  return of_rectangles(curves, dynamic_cast<const QuadrilateralGrid&>(grid), order);
+  const auto* triangles = dynamic_cast<const TriangleGrid*>(&grid);
+  BodyMoments moments = triangles != nullptr
+                            ? of_triangles(curves, *triangles, order)
+                            : of_rectangles(curves, dynamic_cast<const QuadrilateralGrid&>(grid), order);
+  count(Work::moments, static_cast<long>(moments.cell.size()));
+  return moments;
 }
 
 }  // namespace shoreline

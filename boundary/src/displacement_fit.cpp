@@ -3,6 +3,7 @@
 #include <Eigen/SparseCholesky>
 #include <cmath>
 
+#include "shoreline/bases/counters.hpp"
 #include "shoreline/bases/derivatives.hpp"
 
 namespace shoreline {
@@ -152,6 +153,7 @@ FitError error_of(const Basis& basis, const HeldEdge& held, const Eigen::Matrix2
 }  // namespace
 
 DisplacementFit fit_displacement(const Basis& basis, std::span<const HeldEdge> edges) {
+  count(Work::displacement_fits);
   DisplacementFit fit{.coefficient = NormalEquations(basis, edges).solution(), .error = {}};
   for (const HeldEdge& held : edges) fit.error.push_back(error_of(basis, held, fit.coefficient));
   return fit;

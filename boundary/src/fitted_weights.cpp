@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "shoreline/bases/counters.hpp"
 #include "shoreline/boundary/body_moments.hpp"
 #include "shoreline/boundary/region.hpp"
 
@@ -182,6 +183,7 @@ std::optional<Eigen::VectorXd> weights_for(const Wanted& wanted, int order, cons
 
 int fit_weights(const Eigen::Ref<const Eigen::Matrix2Xd>& x, double size,
                 const Eigen::Ref<const Eigen::VectorXd>& moments, Eigen::Ref<Eigen::VectorXd> weight) {
+  count(Work::weight_fits);
   const Eigen::VectorXd plain = weight / weight.sum();
   const Wanted wanted(x, size, moments);
   weight = moments[0] * plain;

@@ -7,6 +7,7 @@
 
 #include "message.hpp"
 #include "runs.hpp"
+#include "shoreline/bases/counters.hpp"
 #include "shoreline/bases/error.hpp"
 #include "shoreline/bases/quadrature.hpp"
 
@@ -147,6 +148,7 @@ double CubicSpan::length() const {
 }
 
 SplineCurve fit_spline(const Piece& piece) {
+  count(Work::splines);
   check_points(piece);
   check_corners_and_tangents(piece);
   const std::size_t count = piece.points.size();

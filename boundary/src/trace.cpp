@@ -2,6 +2,7 @@
 
 #include "grid_crossings.hpp"
 #include "message.hpp"
+#include "shoreline/bases/counters.hpp"
 
 namespace shoreline {
 namespace {
@@ -35,6 +36,7 @@ std::string outside_message(const std::string& name, const Vec2& x, const Grid& 
 }  // namespace
 
 std::vector<Segment> trace(const SplineCurve& curve, const Grid& grid, const std::string& name) {
+  count(Work::traces);
   std::vector<Segment> segments;
   segments.reserve(2 * curve.spans.size());
   Index hint = 0;

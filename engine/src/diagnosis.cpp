@@ -158,13 +158,13 @@ std::string weak_unknown(const StepState& step, Index unknown) {
 }
 
 std::optional<std::string> stray_point(const StepState& step, const Eigen::Matrix2Xd& increment) {
-  BasisAtPoints basis(step.basis, step.supports);
+  BasisAtPoints basis(step.basis, step.supports, Evaluate::values);
   double largest = 0.0;
   std::size_t cell = 0;
   Index point = 0;
   for (std::size_t c = 0; c < step.supports.cell.size(); ++c) {
     const ShortIndices functions = step.basis.functions_of(step.supports.cell[c]);
-    basis.evaluate(static_cast<Index>(c), Evaluate::values);
+    basis.evaluate(static_cast<Index>(c));
     for (Index k = step.supports.first[c]; k < step.supports.first[c + 1]; ++k) {
       Vec2 motion = Vec2::Zero();
       for (Eigen::Index a = 0; a < functions.size(); ++a) motion += basis.value(k)[a] * increment.col(functions[a]);

@@ -23,10 +23,10 @@ using Values = Eigen::Map<const Eigen::VectorXd>;
 /// for each, k in the order of cells.
 template <class Visit>
 void for_each_cell(const Basis& basis, const PointSupports& supports, Visit&& visit) {
-  BasisAtPoints at_points(basis, supports);
+  BasisAtPoints at_points(basis, supports, Evaluate::values);
   for (Index c = 0; c < supports.cells(); ++c) {
     const auto cell = static_cast<std::size_t>(c);
-    at_points.evaluate(c, Evaluate::values);
+    at_points.evaluate(c);
     visit(basis.functions_of(supports.cell[cell]), [&](auto&& use) {
       for (Index k = supports.first[cell]; k < supports.first[cell + 1]; ++k)
         use(k, Values(at_points.value(k), supports.functions));

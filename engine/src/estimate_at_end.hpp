@@ -5,6 +5,7 @@
 
 #include "shoreline/engine/error_estimate.hpp"
 #include "shoreline/engine/scene.hpp"
+#include "timed_effect.hpp"
 
 namespace shoreline {
 
@@ -14,7 +15,7 @@ namespace shoreline {
 template <class Record>
 void estimate_at_end(const Scene& scene, const PointSupports& supports, Record& record) {
   record.error_estimate =
-      record.phases.time("estimate", [&] { return error_estimate(*scene.basis, scene.points, supports); });
+      timed_effect(record, "estimate", "error_estimate", [&] { return error_estimate(*scene.basis, scene.points, supports); });
   const Index functions = record.error_estimate->functions;
   if (scene.points.size() >= 2 * functions) return;
   record.warnings.push_back(

@@ -7,6 +7,7 @@
 #include <ranges>
 #include <set>
 
+#include "shoreline/bases/counters.hpp"
 #include "shoreline/bases/derivatives.hpp"
 
 namespace shoreline {
@@ -72,6 +73,7 @@ FaceJumps face_jumps(const Basis& basis, const Face& face, double scale, int pow
   const Vec2 normal = Vec2(along.y(), -along.x()).normalized();
   const double h = width(basis.grid(), face.cell, normal);
   const QuadratureRule rule = gauss(basis.degree() + 1);
+  count(Work::normal_derivatives, 2 * rule.point.size());
   for (Eigen::Index q = 0; q < rule.point.size(); ++q) {
     const Vec2 x = face.a + rule.point[q] * along;
     FaceJumps::Jump jump = FaceJumps::Jump::Zero(static_cast<Eigen::Index>(jumps.functions.size()));

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "shoreline/bases/basis.hpp"
+#include "shoreline/bases/counters.hpp"
 
 namespace shoreline {
 
@@ -18,6 +19,7 @@ struct LinearCell {
   /// @pre gradients of the basis have degree 0 or 1
   LinearCell(const Basis& basis, Index cell, const Vec2& place) : origin(place), h(basis.grid().size(cell)) {
     const std::array<Vec2, 3> places{origin, origin + Vec2(h, 0.0), origin + Vec2(0.0, h)};
+    count(Work::evaluations, 3);
     basis.evaluate(cell, places, value.data(), gradient.data());
   }
 

@@ -1,6 +1,7 @@
 #include "shoreline/engine/material_points.hpp"
 
 #include "point_cells.hpp"
+#include "shoreline/bases/counters.hpp"
 
 namespace shoreline {
 MaterialPoints points_at(Eigen::Matrix2Xd position, Eigen::VectorXd volume) {
@@ -35,16 +36,21 @@ PointSupports locate_points(const Basis& basis, const MaterialPoints& points, Po
   return supports;
 }
 
-void BasisAtPoints::evaluate(Index c, Evaluate what) {
+BasisAtPoints::BasisAtPoints(const Basis& basis, const PointSupports& supports, Evaluate what)
+    : basis_(&basis), supports_(&supports) {
+  const auto most = static_cast<std::size_t>(supports.most) * static_cast<std::size_t>(supports.functions);
+  value_.resize(most);
+  if (what == Evaluate::values_and_gradients) gradient_.resize(2 * most);
+}
+
+void BasisAtPoints::evaluate(Index c) {
   const auto at = static_cast<std::size_t>(c);
   begin_ = supports_->first[at];
-  const auto count = static_cast<std::size_t>(supports_->first[at + 1] - begin_);
-  const auto n = static_cast<std::size_t>(supports_->functions);
-  const bool gradients = what == Evaluate::values_and_gradients;
-  if (value_.size() < count * n) value_.resize(count * n);
-  if (gradients && gradient_.size() < 2 * count * n) gradient_.resize(2 * count * n);
-  basis_->evaluate(supports_->cell[at], std::span(&supports_->place[static_cast<std::size_t>(begin_)], count),
-                   value_.data(), gradients ? gradient_.data() : nullptr);
+  const Index points = supports_->first[at + 1] - begin_;
+  count(Work::evaluations, points);
+  basis_->evaluate(supports_->cell[at],
+                   std::span(&supports_->place[static_cast<std::size_t>(begin_)], static_cast<std::size_t>(points)),
+                   value_.data(), gradient_.empty() ? nullptr : gradient_.data());
 }
 
 void sort_by_cell(const Basis& basis, MaterialPoints& points) {

@@ -25,9 +25,4 @@ PointSupports locate_passive(const Basis& basis, const std::vector<char>& active
   return supports;
 }
 
-void move_passive(const StepMotion& motion, const std::vector<char>& active, const NameOfPoint& name,
-                  MaterialPoints& points) {
-  move_points(motion, locate_passive(motion.basis, active, points, name), points);
-}
-
 }  // namespace shoreline

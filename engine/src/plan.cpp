@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "dynamics/dynamic_run.hpp"
+#include "effect_list.hpp"
 #include "make_basis.hpp"
 #include "projection_run.hpp"
 #include "shoreline/engine/run.hpp"
@@ -26,15 +27,21 @@ double bytes_of_cell(Case::BasisType basis) {
   return 5.0;
 }
 
+/// What a run keeps of each material point [bytes].
+double bytes_of_point(const Scene& scene) {
+  const double numbers = 2.0 + 2.0 + 1.0 + 4.0 + (scene.points.strain.cols() > 0 ? 3.0 : 0.0);
+  return 8.0 * numbers + 4.0 + 16.0;  // state; order and place in the cells
+}
+
 /// Bytes of a run, from its sizes. The factor of an AMD-ordered plane grid has about 8 n log₂ n entries; where
 /// functions reach over p cells, the separators are p of them wide, and entries (1 + p²)/2 times as many.
 double predicted_bytes(const Scene& scene, const PointSupports& supports, double unknowns, const Case& problem) {
   const double n = scene.basis->functions_per_cell();
-  const double points = scene.points.size() + (scene.samples ? scene.samples->size() : 0);
+  const double points = scene.points.size();
+  const double samples = scene.samples ? scene.samples->size() : 0;
   const double cells = supports.cells();
   const double block_entries = n * (2.0 * n + 1.0);
-  const double state = 12.0 * 8.0;                       // position, displacement, volume, stress, strain
-  const double support = 3.0 * n * 8.0 + 4.0;            // value, gradient, order
+  const double written = 8.0 * (scene.points.strain.cols() > 0 ? 12.0 : 9.0) + 24.0;  // a step that is saved
   const double block = 12.0 * block_entries + 60.0 * n;  // matrix and place, functions and pattern
   const double matrix = 5.0 * n * 2.0 * 12.0;            // an unknown's column, twice
   const double reach = problem.grid.basis == Case::BasisType::bspline ? problem.grid.degree : 1.0;
@@ -42,40 +49,31 @@ double predicted_bytes(const Scene& scene, const PointSupports& supports, double
   // the estimate has one component, so a quarter of the matrix, of its factor and (as triplets) of its blocks
   const double estimate = cells * 8.0 * n * (n + 1.0) + 0.25 * unknowns * (matrix + factor);
   constexpr double program = 2.2e7;
-  return (problem.error_estimate ? estimate : 0.0) + program + points * (state * 2.0 + support) + cells * block +
-         unknowns * (matrix + factor) + bytes_of_cell(problem.grid.basis) * scene.basis->grid().cells();
+  return (problem.error_estimate ? estimate : 0.0) + program + points * bytes_of_point(scene) + samples * 120.0 +
+         std::max(points * written, cells * block + unknowns * (matrix + factor)) +
+         bytes_of_cell(problem.grid.basis) * scene.basis->grid().cells();
 }
 
-std::string built(const Case& problem, const Scene& scene) {
-  std::string text;
-  for (const auto& effect : scene.contributions) text += "  " + effect->name() + "\n";
-  for (const BoundaryPiece& b : scene.boundary)
-    if (const auto* c = std::get_if<Essential>(&b.condition); c != nullptr && c->method == EssentialMethod::grid)
-      text += "  grid:" + b.piece.name + "\n";
-  if (scene.fitted) text += "  fitted weights\n";
-  if (scene.samples) text += "  sample points\n";
-  for (const Probe& probe : scene.probes) text += "  probe:" + probe.name + "\n";
-  return text + (problem.error_estimate ? "  error estimate\n" : "");
-}
-
-std::string left_out(const Case& problem) {
-  std::string text;
-  const auto unless = [&](bool named, const char* effect, const char* why) {
-    if (!named) text += fmt::format("  {:<22}{}\n", effect, why);
+EffectList effects_of(const Case& problem, const Scene& scene) {
+  EffectList list;
+  const auto optional = [&](bool named, const char* name, const char* needs, const char* why) {
+    list.add(named, name, needs, why);
   };
-  unless(problem.body_force || problem.gravity, "body force", "no key body_force or gravity");
-  unless(problem.material.projected_dilatation, "projected dilatation", "material.dilatation is plain");
-  unless(problem.ghost > 0.0, "ghost penalty", "ghost is 0");
-  unless(problem.fitted, "fitted weights", "material_points.volumes is not fitted");
-  unless(problem.exact.has_value(), "errors", "no key exact");
-  unless(problem.samples.has_value(), "sample points", "no key samples");
-  unless(!problem.probes.empty(), "probes", "no key probes");
-  unless(problem.condition_estimate, "condition estimate", "diagnostics.condition_estimate is false");
-  unless(problem.cut_fractions, "cut fractions", "diagnostics.cut_fractions is false");
-  unless(problem.strain_energy, "strain energy", "diagnostics.strain_energy is false");
-  unless(problem.error_estimate, "error estimate", "diagnostics.error_estimate is false");
-  unless(problem.output.pictures, "pictures", "output.pictures is false");
-  return text.empty() ? "  nothing\n" : text;
+  add_common_effects(problem, scene, list);
+  optional(scene.samples.has_value(), "samples", "places of their own, carried along", "no key samples");
+  optional(problem.condition_estimate, "condition_estimate", "some solutions with the factors",
+           "diagnostics.condition_estimate is false");
+  optional(problem.cut_fractions, "cut_fractions", "the outline in cut cells; the factor's pivots",
+           "diagnostics.cut_fractions is false");
+  optional(problem.strain_energy, "strain_energy", "strain and stress of the material points",
+           "diagnostics.strain_energy is false");
+  const auto never = [&](bool named, const char* name, const char* why) {
+    if (!named) list.left_out.push_back({name, why});
+  };
+  never(problem.body_force || problem.gravity, "body_force", "no key body_force or gravity");
+  never(problem.material.projected_dilatation, "projected_dilatation", "material.dilatation is \"plain\"");
+  never(problem.ghost > 0.0, "ghost_penalty", "ghost is 0");
+  return list;
 }
 
 }  // namespace
@@ -92,13 +90,13 @@ std::string plan(const Case& problem) {
     for (const Index f : scene.basis->functions_of(cell))
       if (!std::exchange(seen[static_cast<std::size_t>(f)], 1)) unknowns += 2;
   return fmt::format(
-      "{}\n\nwill run\n{}\nwill not run\n{}\nsizes\n"
+      "{}\n\n{}\nsizes\n"
       "  load steps          {}\n  basis               {}\n  grid                {} elements of {} {}, {} cells with "
-      "material\n  material points     {}\n"
+      "material\n  material points     {} of {:.0f} bytes\n"
       "  unknowns            at most {}\n  predicted memory    {:.0f} MB\n",
-      problem.title, built(problem, scene), left_out(problem), scene.load_steps, name_of(problem.grid.basis),
+      problem.title, text_of(effects_of(problem, scene)), scene.load_steps, name_of(problem.grid.basis),
       grid.cells() / grid.parts(), grid.parts(), grid.parts() == 1 ? "cell" : "cells", supports.cells(),
-      scene.points.size(), unknowns, predicted_bytes(scene, supports, unknowns, problem) / 1e6);
+      scene.points.size(), bytes_of_point(scene), unknowns, predicted_bytes(scene, supports, unknowns, problem) / 1e6);
 }
 
 }  // namespace shoreline

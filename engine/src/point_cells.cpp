@@ -81,12 +81,14 @@ void group_points(const std::vector<Index>& cell, const Grid& grid, PointSupport
   for (std::size_t p = 0; p < cell.size(); ++p)
     supports.point[static_cast<std::size_t>(first[static_cast<std::size_t>(cell[p])]++)] = static_cast<Index>(p);
   supports.cell.clear();
+  supports.most = 0;
   // active is a whole element as soon as one of its cells holds a point
   supports.active.assign(static_cast<std::size_t>(grid.cells()), 0);
   Index begin = 0;
   for (Index c = 0; c < grid.cells(); ++c) {
     const Index end = first[static_cast<std::size_t>(c)];  // where its last point was put
     if (end == begin) continue;
+    supports.most = std::max(supports.most, end - begin);
     first[supports.cell.size()] = std::exchange(begin, end);
     supports.cell.push_back(c);
     std::fill_n(supports.active.begin() + (c - c % grid.parts()), grid.parts(), 1);

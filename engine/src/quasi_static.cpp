@@ -13,9 +13,9 @@
 #include "passive_points.hpp"
 #include "prescribed.hpp"
 #include "respace_pieces.hpp"
-#include "sample_points.hpp"
 #include "shoreline/engine/failures.hpp"
 #include "step_system.hpp"
+#include "timed_effect.hpp"
 #include "weak_spots.hpp"
 
 namespace shoreline {
@@ -26,19 +26,23 @@ constexpr int points_per_segment = 4;  ///< Gauss points along the edge: exact t
 /// Keeps between the steps what outlives one.
 struct Workspace {
   PointSupports supports;
+  std::vector<Edge> edges;  ///< one a boundary piece
+  std::optional<Dilatation> dilatation;
   FittedVolumes weights;
+  PointSupports samples, places;  ///< where the points without load are
   StepSystem system;
   std::map<std::string, Vec3> grid_reactions;  ///< by piece with method grid
+  std::vector<Piece> start;                    ///< pieces before the first step, with geometry initial
+  Eigen::Matrix2Xd total;                      ///< (2, functions) increments of all steps, with geometry initial [m]
 };
 
-std::vector<Edge> make_edges(const Scene& scene, const PointSupports& supports, RunRecord& record) {
-  std::vector<Edge> edges;
+void make_edges(const Scene& scene, Workspace& work, RunRecord& record) {
+  work.edges.clear();
   record.extended_share = 0.0;
   for (const BoundaryPiece& b : scene.boundary) {
-    edges.push_back(make_edge(b.piece, scene.basis->grid(), supports.active, gauss(points_per_segment)));
-    record.extended_share = std::max(record.extended_share, edges.back().extended_share);
+    work.edges.push_back(make_edge(b.piece, scene.basis->grid(), work.supports.active, gauss(points_per_segment)));
+    record.extended_share = std::max(record.extended_share, work.edges.back().extended_share);
   }
-  return edges;
 }
 
 /// The projected dilatation, where the material asks for it: bodies slip over the edges whose supports act in a band.
@@ -79,6 +83,18 @@ void warn_nearly_incompressible(const Scene& scene, std::vector<std::string>& wa
                   ratio));
 }
 
+/// What pieces that the grid holds prescribe at a step; nothing is looked for where no piece is held so.
+std::vector<Constraint> constraints_on_grid(const Scene& scene, const std::vector<Edge>& edges,
+                                            const Eigen::Matrix2Xd& prescribed, RunRecord& record) {
+  const bool any = std::ranges::any_of(scene.boundary, [](const BoundaryPiece& b) {
+    const auto* held = std::get_if<Essential>(&b.condition);
+    return held != nullptr && held->method == EssentialMethod::grid;
+  });
+  if (!any) return {};
+  return timed_effect(record, "boundary", "grid",
+                      [&] { return grid_constraints(*scene.basis, scene.boundary, edges, prescribed); });
+}
+
 /// Lets the contributions take note of what the step found, and adds up what acts at its end.
 Resultants accept(const Scene& scene, const StepState& state, const Eigen::Matrix2Xd& increment,
                   const std::vector<Constraint>& constraints, Workspace& work) {
@@ -96,52 +112,80 @@ Resultants accept(const Scene& scene, const StepState& state, const Eigen::Matri
   return now;
 }
 
-void move_places(const StepMotion& motion, const std::vector<char>& active, Scene& scene) {
-  const auto name = [&](std::size_t k) {
-    const auto found = std::ranges::find_if(scene.probes, [k](const Probe& p) { return p.at_place && p.point == k; });
-    return fmt::format("probe \"{}\"", found->name);
-  };
-  move_passive(motion, active, name, *scene.places);
+std::string name_of_place(const Scene& scene, std::size_t k) {
+  const auto found = std::ranges::find_if(scene.probes, [k](const Probe& p) { return p.at_place && p.point == k; });
+  return fmt::format("probe \"{}\"", found->name);
+}
+
+/// Finds where the body is on the grid: its points, its edges, and with them what the step evaluates.
+void locate_body(Scene& scene, Workspace& work, RunRecord& record) {
+  Clock& clock = record.phases;
+  work.supports =
+      clock.time("support", [&] { return locate_points(*scene.basis, scene.points, std::move(work.supports)); });
+  clock.time("boundary", [&] { make_edges(scene, work, record); });
+  if (scene.fitted)
+    record.weights = timed_effect(record, "weights", "fitted_weights", [&] {
+      return work.weights.fit(*scene.basis, work.supports, work.edges, scene.points);
+    });
+  const auto& active = work.supports.active;
+  if (scene.samples)
+    timed_effect(record, "errors", "samples", [&] {
+      work.samples = locate_passive(*scene.basis, active, *scene.samples,
+                                    [](std::size_t k) { return fmt::format("sample point {}", k); });
+    });
+  if (scene.places)
+    timed_effect(record, "probes", "probes", [&] {
+      work.places =
+          locate_passive(*scene.basis, active, *scene.places, [&](std::size_t k) { return name_of_place(scene, k); });
+    });
+}
+
+/// Moves points and pieces by what the step found.
+void move_body(const StepMotion& motion, Workspace& work, Scene& scene, RunRecord& record) {
+  record.phases.time("update", [&] {
+    move_points(motion, work.supports, scene.points);
+    if (scene.geometry == Geometry::updated) return move_boundary(scene, work.edges, motion.increment);
+    // pieces go from their start by all increments at once, as the edges do not follow them
+    if (work.start.empty()) {
+      for (const BoundaryPiece& b : scene.boundary) work.start.push_back(b.piece);
+      work.total = Eigen::Matrix2Xd::Zero(2, motion.increment.cols());
+    }
+    for (std::size_t k = 0; k < work.start.size(); ++k) scene.boundary[k].piece = work.start[k];
+    work.total += motion.increment;
+    move_boundary(scene, work.edges, work.total);
+  });
+  if (scene.samples)
+    timed_effect(record, "errors", "samples", [&] { move_points(motion, work.samples, *scene.samples); });
+  if (scene.places) timed_effect(record, "probes", "probes", [&] { move_points(motion, work.places, *scene.places); });
 }
 
 void run_step(Scene& scene, int step, const QuasiStaticOptions& options, Workspace& work, RunRecord& record) {
   Clock& clock = record.phases;
-  work.supports =
-      clock.time("support", [&] { return locate_points(*scene.basis, scene.points, std::move(work.supports)); });
+  const bool located = scene.geometry == Geometry::initial && step > 1;
+  if (!located) locate_body(scene, work, record);
   const PointSupports& supports = work.supports;
   if (step == 1) {
     warn_few_points(*scene.basis, supports, record.warnings);
     warn_nearly_incompressible(scene, record.warnings);
   }
-  const std::vector<Edge> edges = clock.time("boundary", [&] { return make_edges(scene, supports, record); });
-  if (scene.fitted)
-    record.weights =
-        clock.time("weights", [&] { return work.weights.fit(*scene.basis, supports, edges, scene.points); });
   const double t = static_cast<double>(step) / scene.load_steps;
   const double t_before = static_cast<double>(step - 1) / scene.load_steps;
   const Eigen::Matrix2Xd prescribed =
-      clock.time("boundary", [&] { return prescribed_increment(scene, edges, t, t_before, record.fit_errors); });
-  const std::vector<Constraint> constraints =
-      clock.time("boundary", [&] { return grid_constraints(*scene.basis, scene.boundary, edges, prescribed); });
-  const std::optional<Dilatation> dilatation =
-      clock.time("support", [&] { return project_dilatation(scene, supports, edges, prescribed); });
+      clock.time("boundary", [&] { return prescribed_increment(scene, work.edges, t, t_before, record.fit_errors); });
+  const std::vector<Constraint> constraints = constraints_on_grid(scene, work.edges, prescribed, record);
+  if (!located || prescribed.cols() > 0)
+    clock.time("support", [&] { work.dilatation = project_dilatation(scene, supports, work.edges, prescribed); });
   const StepState state{*scene.basis, scene.points,  supports,
-                        edges,        scene.loading, t,
-                        t_before,     prescribed,    dilatation ? &*dilatation : nullptr};
+                        work.edges,   scene.loading, t,
+                        t_before,     prescribed,    work.dilatation ? &*work.dilatation : nullptr};
 
   const Eigen::Matrix2Xd increment = solve_step(scene, state, constraints, options, work.system, record);
   if (options.cut_fractions)
-    record.diagnostics = clock.time("diagnostics", [&] { return weak_spots(state, work.system); });
+    record.diagnostics =
+        timed_effect(record, "diagnostics", "cut_fractions", [&] { return weak_spots(state, work.system); });
   record.largest_increment = increment.size() == 0 ? 0.0 : increment.cwiseAbs().maxCoeff();
-
-  const StepMotion motion{*scene.basis, *scene.material, increment, state.dilatation};
-  clock.time("update", [&] {
-    record.resultants = accept(scene, state, increment, constraints, work);
-    move_points(motion, supports, scene.points);
-    move_boundary(scene, edges, increment);
-  });
-  if (scene.samples) clock.time("errors", [&] { move_samples(motion, supports.active, *scene.samples); });
-  if (scene.places) clock.time("probes", [&] { move_places(motion, supports.active, scene); });
+  clock.time("update", [&] { record.resultants = accept(scene, state, increment, constraints, work); });
+  move_body({*scene.basis, *scene.material, increment, state.dilatation}, work, scene, record);
 }
 
 }  // namespace

@@ -1,9 +1,18 @@
 #pragma once
 // What the records of load steps and of time steps have in common, in the form of the summary.
 
+#include "shoreline/bases/counters.hpp"
 #include "shoreline/engine/results.hpp"
 
 namespace shoreline {
+
+/// What was done since @p before, by name.
+inline std::map<std::string, long> counts_since(const Counts& before) {
+  const Counts now = counted();
+  std::map<std::string, long> counts;
+  for (std::size_t k = 0; k < now.size(); ++k) counts[std::string(name_of(static_cast<Work>(k)))] = now[k] - before[k];
+  return counts;
+}
 
 /// @param total  since the start of the run [s]
 template <class Record>

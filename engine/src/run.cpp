@@ -18,6 +18,7 @@
 #include "shoreline/engine/results_writer.hpp"
 #include "shoreline/engine/strain_energy.hpp"
 #include "shoreline/engine/summary.hpp"
+#include "timed_effect.hpp"
 
 namespace shoreline {
 namespace {
@@ -41,7 +42,6 @@ void take_over(const RunRecord& record, double total, Summary& summary) {
   summary.condition_estimate = record.condition_estimate;
   summary.diagnostics = record.diagnostics;
   summary.extended_share = record.extended_share;
-  summary.counters = {{"factorisations", record.factorisations}, {"analyses", record.analyses}};
 }
 
 /// What a run puts into its output folder as it goes: saved steps and probes.
@@ -110,6 +110,7 @@ Summary run(const Case& problem, const RunOptions& options) {
   const int threads = use_threads(problem.threads);
   if (std::holds_alternative<Projection>(problem.analysis)) return run_projection(problem, options, threads);
   if (std::holds_alternative<ExplicitDynamics>(problem.analysis)) return run_dynamics(problem, options, threads);
+  const Counts before = counted();
   RunRecord record;
   Scene scene = build_scene(problem, record.phases);
   Summary summary = start(problem, scene, threads);
@@ -124,10 +125,12 @@ Summary run(const Case& problem, const RunOptions& options) {
     summary.completed = completed;
     summary.message = message;
     if (completed && problem.output.pictures)
-      if (const auto warning = record.phases.time("pictures", [&] { return make_pictures(options.output); }))
+      if (const auto warning =
+              timed_effect(record, "pictures", "pictures", [&] { return make_pictures(options.output); }))
         record.warnings.push_back(*warning);
     summary.probes = scene.probes;
     take_over(record, std::chrono::duration<double>(std::chrono::steady_clock::now() - start_time).count(), summary);
+    summary.counters = counts_since(before);
     write_summary(summary, options.output);
   };
   try {
@@ -140,9 +143,10 @@ Summary run(const Case& problem, const RunOptions& options) {
                    record);
     const bool radii = problem.exact && std::holds_alternative<ThickCylinder>(*problem.exact);
     if (scene.exact)
-      summary.errors = record.phases.time("errors", [&] { return errors_of(scene, record, radii, 1.0); });
+      summary.errors = timed_effect(record, "errors", "errors", [&] { return errors_of(scene, record, radii, 1.0); });
     if (problem.strain_energy)
-      summary.strain_energy = record.phases.time("diagnostics", [&] { return strain_energy(scene.points); });
+      summary.strain_energy =
+          timed_effect(record, "diagnostics", "strain_energy", [&] { return strain_energy(scene.points); });
   } catch (const ComputationError& error) {
     saving.rescue();
     finish(false, error.what());

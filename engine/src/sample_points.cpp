@@ -1,11 +1,8 @@
 #include "sample_points.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "passive_points.hpp"
 #include "shoreline/boundary/region.hpp"
 #include "shoreline/engine/fill.hpp"
 
@@ -19,11 +16,6 @@ MaterialPoints place_samples(std::span<const SplineCurve> curves, int across) {
     return static_cast<int>(std::ceil(across * side / sides.maxCoeff() - rounding));
   };
   return fill_lattice(curves, AcrossFill{.across = {along(sides.x()), along(sides.y())}});
-}
-
-void move_samples(const StepMotion& motion, const std::vector<char>& active, MaterialPoints& samples) {
-  move_passive(
-      motion, active, [](std::size_t k) { return fmt::format("sample point {}", k); }, samples);
 }
 
 }  // namespace shoreline

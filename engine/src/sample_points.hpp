@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "move_points.hpp"
 #include "shoreline/boundary/spline.hpp"
+#include "shoreline/engine/material_points.hpp"
 
 namespace shoreline {
 
@@ -15,10 +15,5 @@ namespace shoreline {
 /// @param curves  that close into loops
 /// @param across  sub-cells along the longer side of the box, at least 1
 [[nodiscard]] MaterialPoints place_samples(std::span<const SplineCurve> curves, int across);
-
-/// Carries the samples along with the material in a load step.
-/// @param active  (cells of the grid) those of the material points
-/// @throws ComputationError naming the first sample outside the grid and its position
-void move_samples(const StepMotion& motion, const std::vector<char>& active, MaterialPoints& samples);
 
 }  // namespace shoreline

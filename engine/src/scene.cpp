@@ -105,6 +105,9 @@ Scene scene_of_load_steps(const Case& problem) {
       std::make_shared<LinearElastic>(problem.material.youngs_modulus, problem.material.poissons_ratio, problem.plane);
   scene.loading = analysis.loading;
   scene.load_steps = analysis.load_steps;
+  scene.geometry = analysis.geometry;
+  if (problem.output.strain || problem.strain_energy)
+    scene.points.strain = Eigen::Matrix3Xd::Zero(3, scene.points.size());
   scene.respacing = problem.respacing;
 
   const std::shared_ptr<const Material> law = law_of_contributions(problem, scene);

@@ -4,6 +4,7 @@
 
 #include "diagnosis.hpp"
 #include "shoreline/engine/failures.hpp"
+#include "timed_effect.hpp"
 
 namespace shoreline {
 namespace {
@@ -98,7 +99,7 @@ constexpr double suspicious_condition = 1e14;
 
 void estimate_condition(const StepState& state, StepSystem& system, RunRecord& record) {
   record.condition_estimate =
-      record.phases.time("condition_estimate", [&] { return system.solver.condition_estimate(); });
+      timed_effect(record, "condition_estimate", "condition_estimate", [&] { return system.solver.condition_estimate(); });
   if (*record.condition_estimate <= suspicious_condition) return;
   system.warnings.add(
       "condition", record.steps + 1,

@@ -12,6 +12,7 @@ namespace {
 class Ground final : public Contribution {
  public:
   [[nodiscard]] std::string name() const override { return "ground"; }
+  [[nodiscard]] std::string needs() const override { return "values on the edge"; }
   void add(const StepState& step, ElementBlocks& blocks) const override {
     for (const Index cell : step.supports.cell)
       blocks.add(blocks.append(step.basis.functions_of(cell)), 1e3 * Eigen::Matrix<double, 8, 8>::Identity());

@@ -156,9 +156,10 @@ TEST_CASE("a sample in a cell without points has the polynomials of the nearest 
     }
     CHECK(elsewhere >= 100);
 
+    scene.samples->strain = Eigen::Matrix3Xd::Zero(3, scene.samples->size());
     const MaterialPoints before = *scene.samples;
     const Eigen::Matrix2Xd field = test::linear_field(*scene.basis, gradient);
-    move_samples({*scene.basis, *scene.material, field, nullptr}, points.active, *scene.samples);
+    move_points({*scene.basis, *scene.material, field, nullptr}, served, *scene.samples);
     CHECK((scene.samples->displacement - gradient * before.position).norm() <= 1e-12 * before.position.norm());
     const Vec3 strain(gradient(0, 0), gradient(1, 1), gradient(0, 1) + gradient(1, 0));
     CHECK((scene.samples->strain.colwise() - strain).cwiseAbs().maxCoeff() <= 1e-11 * strain.norm());

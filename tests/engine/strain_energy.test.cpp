@@ -18,6 +18,7 @@ class Work final : public Contribution {
   Work(std::size_t piece, std::function<Vec2(const Vec2&)> traction, double& work)
       : piece_(piece), traction_(std::move(traction)), work_(&work) {}
   [[nodiscard]] std::string name() const override { return "work"; }
+  [[nodiscard]] std::string needs() const override { return "values at the material points"; }
   void add(const StepState& /*step*/, ElementBlocks& /*blocks*/) const override {}
   void accept(const StepState& step, const Eigen::Matrix2Xd& increment) override {
     const Edge& edge = step.edges[piece_];

@@ -25,6 +25,7 @@ class WithoutSpokes final : public Contribution {
   explicit WithoutSpokes(const Scene& scene, double gamma) : whole_(ghost_penalty(gamma, scene.material)) {}
 
   [[nodiscard]] std::string name() const override { return "ghost_penalty"; }
+  [[nodiscard]] std::string needs() const override { return "derivatives across faces"; }
 
   void add(const StepState& step, ElementBlocks& blocks) const override {
     ElementBlocks whole;

@@ -43,7 +43,10 @@ Schema analysis() {
        key("load", {Formula{}}, optional, "",
            "load factor, an expression of t by which plain numbers ramp; default t itself"),
        key("loading", {Choice{{"residual", "incremental"}}}, otherwise("residual"), "",
-           "what a step balances: the whole load less what is carried already, or the increment of load alone")},
+           "what a step balances: the whole load less what is carried already, or the increment of load alone"),
+       key("geometry", {Choice{{"updated", "initial"}}}, otherwise("updated"), "",
+           "where the body is when a step evaluates functions, loads and edges: where the step before has moved it, or "
+           "where it was at the start. With `initial` all steps share one stiffness and one factorisation")},
       {}};
   const Object projection{
       {key("value", {Formula{}}, optional, "", "what is projected, an expression of x and y"),

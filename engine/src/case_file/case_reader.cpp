@@ -85,6 +85,7 @@ QuasiStatic read_quasi_static(const Node& node, const Constants& constants) {
   QuasiStatic analysis{
       .loading = node["loading"].is("residual") ? Loading::residual : Loading::incremental,
       .load_steps = node["load_steps"].as<int>(),
+      .geometry = node["geometry"].is("updated") ? Geometry::updated : Geometry::initial,
   };
   if (node.has("load")) analysis.load = read_load(node["load"], constants);
   return analysis;
@@ -164,7 +165,12 @@ void read_load_steps(const Node& root, const Constants& constants, Case& problem
   problem.ghost = root.has("ghost") ? root["ghost"].as<double>() : ghost_by_default(problem.boundaries, problem.grid);
   read_loads(root, constants, problem);
   if (root.has("probes")) problem.probes = read_probes(root["probes"]);
-  if (root["tracking"].has("respace")) problem.respacing = root["tracking"]["respace"].as<double>();
+  if (root["tracking"].has("respace")) {
+    if (root["analysis"]["geometry"].is("initial"))
+      root["tracking"]["respace"].place.fail(
+          "found a ratio, expected none with analysis.geometry \"initial\": no step computes with the moved curve");
+    problem.respacing = root["tracking"]["respace"].as<double>();
+  }
   problem.condition_estimate = root["diagnostics"]["condition_estimate"].as<bool>();
   problem.cut_fractions = root["diagnostics"]["cut_fractions"].as<bool>();
   problem.strain_energy = root["diagnostics"]["strain_energy"].as<bool>();
@@ -178,6 +184,7 @@ Case case_of(const Node& root, const std::filesystem::path& file) {
   problem.title = root.has("title") ? root["title"].as<std::string>() : file.stem().string();
   problem.threads = root["solver"]["threads"].as<int>();
   problem.output.pictures = root["output"]["pictures"].as<bool>();
+  if (root["output"].has("fields")) problem.output.strain = root["output"]["fields"].size() > 0;
   const Constants constants = read_constants(root["constants"]);
   problem.grid = read_grid(root["grid"], file.parent_path());
   if (root.has("boundaries"))

@@ -140,17 +140,22 @@ Schema diagnostics() {
 Key pictures() {
   return key("pictures", {Boolean{}}, otherwise(Case{}.output.pictures), "", "draw PNG pictures at the end");
 }
+Key fields() {
+  return key("fields", list({Choice{{"strain"}}}, 0, 1), otherwise(Json::array({"strain"})), "",
+             "what is saved of the material points beside position, displacement, stress and volume; no memory is kept "
+             "for what is not listed");
+}
 Schema output_of_load_steps() {
   return {Object{{key("every", {Integer{1, 1000000}}, otherwise(Case{}.output.every), "",
                       "load steps from one saved step to the next; the last is always saved"),
-                  pictures()},
+                  fields(), pictures()},
                  {}}};
 }
 Schema output_of_time_steps() {
   return {Object{{key("every", {Integer{1, 100000000}}, optional, "",
                       "steps from one saved step to the next; the last is always saved; default: a step is saved "
                       "whenever a fiftieth of the time has passed"),
-                  pictures()},
+                  fields(), pictures()},
                  {}}};
 }
 Schema output_of_projection() { return {Object{{pictures()}, {}}}; }

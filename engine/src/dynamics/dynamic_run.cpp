@@ -5,10 +5,12 @@
 #include <chrono>
 #include <cmath>
 
+#include "../effect_list.hpp"
 #include "../estimate_at_end.hpp"
 #include "../make_basis.hpp"
 #include "../record_in_summary.hpp"
 #include "../saved_step.hpp"
+#include "../timed_effect.hpp"
 #include "shoreline/engine/dynamics.hpp"
 #include "shoreline/engine/error_norms.hpp"
 #include "shoreline/engine/failures.hpp"
@@ -22,11 +24,24 @@ namespace {
 
 constexpr int saved_by_default = 50;
 
+/// Of the deformation gradient, (4, points) row by row: xx, yy, xy (engineering).
+Eigen::Matrix3Xd strain_of(const Eigen::Matrix4Xd& deformation) {
+  Eigen::Matrix3Xd strain(3, deformation.cols());
+  strain.row(0) = deformation.row(0).array() - 1.0;
+  strain.row(1) = deformation.row(3).array() - 1.0;
+  strain.row(2) = deformation.row(1) + deformation.row(2);
+  return strain;
+}
+
 /// What a run puts into its output folder as it goes.
 class DynamicSaving {
  public:
   DynamicSaving(const Case& problem, const std::filesystem::path& folder, DynamicScene& scene, DynamicRecord& record)
-      : every_(problem.output.every), scene_(scene), record_(record), writer_(record.phases.time("output", [&] {
+      : every_(problem.output.every),
+        strain_(problem.output.strain),
+        scene_(scene),
+        record_(record),
+        writer_(record.phases.time("output", [&] {
           return ResultsWriter(folder, problem.title, scene.body.basis->grid(), "explicit_dynamics");
         })) {
     save();
@@ -43,11 +58,8 @@ class DynamicSaving {
 
   void save() {
     record_.phases.time("output", [&] {
-      const Eigen::Matrix4Xd& d = scene_.motion.deformation;
       SavedStep saved = saved_step(scene_.body, record_.steps, record_.t);
-      saved.strain.row(0) = d.row(0).array() - 1.0;
-      saved.strain.row(1) = d.row(3).array() - 1.0;
-      saved.strain.row(2) = d.row(1) + d.row(2);
+      if (strain_) saved.strain = strain_of(scene_.motion.deformation);
       saved.velocity = scene_.motion.velocity;
       if (record_.error_estimate) saved.stress_error_estimate = record_.error_estimate->stress_at_point;
       writer_.write(saved);
@@ -64,6 +76,7 @@ class DynamicSaving {
 
  private:
   int every_;
+  bool strain_;
   DynamicScene& scene_;
   DynamicRecord& record_;
   ResultsWriter writer_;
@@ -90,8 +103,8 @@ Summary start(const Case& problem, const DynamicScene& scene, int threads) {
 void take_over(const DynamicRecord& record, double total, Summary& summary) {
   take_over_common(record, total, summary);
   summary.history = record.history;
-  summary.counters = {{"mass_iterations", record.mass_iterations},
-                      {"critical_step_iterations", record.critical_step_iterations}};
+  summary.counters["mass_iterations"] = record.mass_iterations;
+  summary.counters["critical_step_iterations"] = record.critical_step_iterations;
   Summary::Dynamics& dynamics = *summary.dynamics;
   dynamics.smallest_step = record.smallest_step;
   dynamics.largest_step = record.largest_step;
@@ -142,6 +155,7 @@ double bytes_of(const DynamicScene& scene, const PointSupports& cells) {
 
 Summary run_dynamics(const Case& problem, const RunOptions& options, int threads) {
   const auto start_time = std::chrono::steady_clock::now();
+  const Counts before = counted();
   DynamicRecord record;
   DynamicScene scene = record.phases.time("setup", [&] { return build_dynamic_scene(problem); });
   Summary summary = start(problem, scene, threads);
@@ -161,16 +175,18 @@ Summary run_dynamics(const Case& problem, const RunOptions& options, int threads
     summary.completed = completed;
     summary.message = message;
     if (problem.output.pictures)
-      if (const auto warning = record.phases.time("pictures", [&] { return make_pictures(options.output); }))
+      if (const auto warning =
+              timed_effect(record, "pictures", "pictures", [&] { return make_pictures(options.output); }))
         record.warnings.push_back(*warning);
     summary.probes = scene.body.probes;
+    summary.counters = counts_since(before);
     take_over(record, std::chrono::duration<double>(std::chrono::steady_clock::now() - start_time).count(), summary);
     write_summary(summary, options.output);
   };
   try {
     with_place(problem, [&] { run_time_steps(scene, steps, record); });
     if (scene.body.exact)
-      summary.errors = record.phases.time("errors", [&] {
+      summary.errors = timed_effect(record, "errors", "errors", [&] {
         ErrorNorms norms = error_norms(scene.body.points, *scene.body.exact, record.t);
         norms.over_time = record.errors_over_time;
         return norms;
@@ -187,35 +203,26 @@ Summary run_dynamics(const Case& problem, const RunOptions& options, int threads
 std::string plan_dynamics(const Case& problem) {
   DynamicScene scene = build_dynamic_scene(problem);
   const FirstStep first = with_place(problem, [&] { return first_step(scene); });
-  std::string effects = fmt::format("  {}\n  mass: {}\n", scene.law->name(), name_of(scene.settings.mass));
-  std::string left_out;
-  const auto effect = [&](bool named, const char* name, const char* why) {
-    if (named)
-      effects += fmt::format("  {}\n", name);
-    else
-      left_out += fmt::format("  {:<20}{}\n", name, why);
-  };
-  effect(problem.gravity || problem.gravity_field, "gravity", "no key gravity");
-  effect(problem.body_force.has_value(), "body_force", "no key body_force");
-  effect(scene.settings.damping > 0.0, "damping", "analysis.damping is 0");
-  effect(problem.history.has_value(), "history", "no key history");
-  effect(problem.exact.has_value(), "errors", "no key exact");
-  effect(problem.error_estimate, "error estimate", "diagnostics.error_estimate is false");
-  for (const auto& load : scene.body.contributions) effects += "  " + load->name() + "\n";
-  for (const BoundaryPiece& b : scene.body.boundary)
-    if (std::holds_alternative<Essential>(b.condition)) effects += "  grid:" + b.piece.name + "\n";
-  for (const Probe& probe : scene.body.probes) effects += "  probe:" + probe.name + "\n";
+  EffectList list;
+  list.add(true, scene.law->name(), "gradients at the material points, and their stress", "");
+  list.add(true, fmt::format("mass: {}", name_of(scene.settings.mass)), "values at the material points", "");
+  const bool weight = problem.gravity || problem.gravity_field;
+  list.add(weight, "gravity", "the mass of each function", "no key gravity");
+  list.add(problem.body_force.has_value(), "body_force", "values at the material points", "no key body_force");
+  list.add(scene.settings.damping > 0.0, "damping", "the force on each function", "analysis.damping is 0");
+  list.add(problem.history.has_value(), "history", "sums over the material points", "no key history");
+  add_common_effects(problem, scene.body, list);
   const PointSupports cells = locate_points(*scene.body.basis, scene.body.points);
   const Grid& grid = scene.body.basis->grid();
   return fmt::format(
-      "{}\n\nwill run\n{}\nwill not run\n{}\nsizes\n  basis               {}\n"
+      "{}\n\n{}\nsizes\n  basis               {}\n"
       "  grid                {} elements of {} {}, {} cells with material\n  material points     {}\n"
       "  time step           {:.4g} s{}, critical {:.4g} s, Courant number {:.2g}\n  steps               {}{:.0f}\n"
       "  predicted memory    {:.0f} MB\n",
-      problem.title, effects, left_out.empty() ? "  nothing\n" : left_out, name_of(problem.grid.basis),
-      grid.cells() / grid.parts(), grid.parts(), grid.parts() == 1 ? "cell" : "cells", cells.cells(),
-      scene.body.points.size(), first.dt, scene.settings.time_step ? "" : " at the start", first.critical,
-      first.courant, scene.settings.time_step ? "" : "about ", std::ceil(scene.settings.end_time / first.dt - 1e-9),
+      problem.title, text_of(list), name_of(problem.grid.basis), grid.cells() / grid.parts(), grid.parts(),
+      grid.parts() == 1 ? "cell" : "cells", cells.cells(), scene.body.points.size(), first.dt,
+      scene.settings.time_step ? "" : " at the start", first.critical, first.courant,
+      scene.settings.time_step ? "" : "about ", std::ceil(scene.settings.end_time / first.dt - 1e-9),
       bytes_of(scene, cells) / 1e6);
 }
 

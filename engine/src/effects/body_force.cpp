@@ -8,14 +8,15 @@ class BodyForce final : public Contribution {
   explicit BodyForce(std::function<Vec2(const PlaceTime&)> value) : value_(std::move(value)) {}
 
   [[nodiscard]] std::string name() const override { return "body_force"; }
+  [[nodiscard]] std::string needs() const override { return "values at the material points"; }
 
   void add(const StepState& step, ElementBlocks& blocks) const override {
     Eigen::Matrix2Xd force = Eigen::Matrix2Xd::Zero(2, step.basis.functions());
-    BasisAtPoints basis(step.basis, step.supports);
+    BasisAtPoints basis(step.basis, step.supports, Evaluate::values);
     for (Index c = 0; c < step.supports.cells(); ++c) {
       const auto cell = static_cast<std::size_t>(c);
       const ShortIndices functions = step.basis.functions_of(step.supports.cell[cell]);
-      basis.evaluate(c, Evaluate::values);
+      basis.evaluate(c);
       for (Index k = step.supports.first[cell]; k < step.supports.first[cell + 1]; ++k) {
         const Vec2 at_point = force_of(step, step.supports.point[static_cast<std::size_t>(k)]);
         for (Eigen::Index a = 0; a < functions.size(); ++a) force.col(functions[a]) += basis.value(k)[a] * at_point;

@@ -13,6 +13,7 @@ class BoundaryError final : public Contribution {
       : piece_(piece), piece_name_(std::move(piece_name)), normal_only_(normal_only), exact_(std::move(exact)) {}
 
   [[nodiscard]] std::string name() const override { return "boundary_error:" + piece_name_; }
+  [[nodiscard]] std::string needs() const override { return "values on the edge, and the exact solution there"; }
 
   void add(const StepState& /*step*/, ElementBlocks& /*blocks*/) const override {}
 

@@ -23,6 +23,7 @@ class EssentialEdge final : public Contribution {
   [[nodiscard]] std::string name() const override {
     return (condition_.method == EssentialMethod::nitsche ? "nitsche:" : "implicit_boundary:") + piece_name_;
   }
+  [[nodiscard]] std::string needs() const override { return "values and gradients on the edge, and what it carries"; }
 
   void add(const StepState& step, ElementBlocks& blocks) const override {
     const Edge& edge = step.edges[static_cast<std::size_t>(piece_)];

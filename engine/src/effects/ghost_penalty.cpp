@@ -13,6 +13,9 @@ class GhostPenalty final : public Contribution {
       : gamma_(gamma), material_(std::move(material)) {}
 
   [[nodiscard]] std::string name() const override { return "ghost_penalty"; }
+  [[nodiscard]] std::string needs() const override {
+    return "derivatives of the highest order across faces at the edge";
+  }
 
   void add(const StepState& step, ElementBlocks& blocks) const override {
     for (const Face& face : faces(step)) {

@@ -8,6 +8,7 @@ namespace {
 class DilatationEnergy final : public Contribution {
  public:
   [[nodiscard]] std::string name() const override { return "projected_dilatation"; }
+  [[nodiscard]] std::string needs() const override { return "gradients at the material points by groups of cells"; }
 
   void add(const StepState& step, ElementBlocks& blocks) const override {
     assert(step.dilatation != nullptr);

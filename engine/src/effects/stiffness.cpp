@@ -107,6 +107,7 @@ class Stiffness final : public Contribution {
   explicit Stiffness(std::shared_ptr<const Material> material) : material_(std::move(material)) {}
 
   [[nodiscard]] std::string name() const override { return material_->name(); }
+  [[nodiscard]] std::string needs() const override { return "gradients at the material points, and their stress"; }
 
   void add(const StepState& step, ElementBlocks& blocks) const override {
     const std::size_t begin = blocks.append(step.supports.cell.size(), step.supports.functions);
@@ -133,6 +134,7 @@ class Stiffness final : public Contribution {
     {
       BasisAtPoints basis(step.basis, step.supports);
       std::vector<double> volume;
+      volume.reserve(static_cast<std::size_t>(step.supports.most));
 #pragma omp for schedule(static)
       for (Index c = 0; c < step.supports.cells(); ++c) {
         const std::size_t block = begin + static_cast<std::size_t>(c);

@@ -11,6 +11,7 @@ class EdgeLoad final : public Contribution {
       : effect_(std::move(effect)), piece_(piece), piece_name_(std::move(piece_name)), value_(std::move(value)) {}
 
   [[nodiscard]] std::string name() const override { return effect_ + ":" + piece_name_; }
+  [[nodiscard]] std::string needs() const override { return "values on the edge"; }
 
   void add(const StepState& step, ElementBlocks& blocks) const override {
     const Edge& edge = step.edges[static_cast<std::size_t>(piece_)];

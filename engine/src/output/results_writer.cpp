@@ -61,8 +61,10 @@ void write_points(Hdf5File& file, const SavedStep& step) {
   file.write_rows(points + "displacement", in_space(step.displacement), "m");
   file.write_rows(points + "stress", step.stress, "Pa");
   file.set_attribute(points + "stress", "components", "xx yy xy zz");
-  file.write_rows(points + "strain", step.strain, "1");
-  file.set_attribute(points + "strain", "components", "xx yy xy (engineering)");
+  if (step.strain) {
+    file.write_rows(points + "strain", *step.strain, "1");
+    file.set_attribute(points + "strain", "components", "xx yy xy (engineering)");
+  }
   file.write_numbers(points + "volume", step.volume, "m^2");
   if (step.stress_error_estimate)
     file.write_numbers(points + "stress_error_estimate", *step.stress_error_estimate, "Pa");
@@ -128,7 +130,8 @@ std::uintmax_t bytes_of(std::size_t rows, std::size_t width) { return 65536 + ro
 
 /// At least what a step takes in the file, with HDF5's own records.
 std::uintmax_t bytes_of(const SavedStep& step) {
-  Eigen::Index numbers = (15 + (step.velocity ? 3 : 0) + (step.stress_error_estimate ? 1 : 0)) * step.volume.size();
+  Eigen::Index numbers = (12 + (step.strain ? 3 : 0) + (step.velocity ? 3 : 0) + (step.stress_error_estimate ? 1 : 0)) *
+                         step.volume.size();
   for (const SavedStep::Curve& curve : step.curves) numbers += 3 * curve.points.cols() + 4 * curve.polyline.cols();
   const std::size_t records = 65536 + 8192 * step.curves.size();
   return static_cast<std::uintmax_t>(numbers) * sizeof(double) + records;

@@ -82,6 +82,8 @@ std::string point_grid(const SavedStep& step) {
   const std::string points = step_group(step) + "/points/";
   const std::string velocity =
       step.velocity ? attribute("velocity", "Vector", points + "velocity", fmt::format("{} 3", n)) + "\n" : "";
+  const std::string strain =
+      step.strain ? attribute("strain (xx, yy, xy)", "Matrix", points + "strain", fmt::format("{} 3", n)) + "\n" : "";
   const std::string estimate =
       step.stress_error_estimate
           ? attribute("stress_error_estimate", "Scalar", points + "stress_error_estimate", fmt::format("{}", n)) + "\n"
@@ -90,8 +92,7 @@ std::string point_grid(const SavedStep& step) {
          cells("Polyvertex", n, 1, vertices_table(n)) + "\n" + geometry(points + "position", n) + "\n" +
          attribute("displacement", "Vector", points + "displacement", fmt::format("{} 3", n)) + "\n" + velocity +
          estimate + attribute("stress (xx, yy, xy, zz)", "Matrix", points + "stress", fmt::format("{} 4", n)) + "\n" +
-         attribute("strain (xx, yy, xy)", "Matrix", points + "strain", fmt::format("{} 3", n)) + "\n" +
-         attribute("volume", "Scalar", points + "volume", fmt::format("{}", n)) + "\n</Grid>\n";
+         strain + attribute("volume", "Scalar", points + "volume", fmt::format("{}", n)) + "\n</Grid>\n";
 }
 
 std::string curve_grid(const SavedStep& step) {

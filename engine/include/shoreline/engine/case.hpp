@@ -23,6 +23,7 @@ namespace shoreline {
 struct QuasiStatic {
   Loading loading = Loading::residual;
   int load_steps = 1;
+  Geometry geometry = Geometry::updated;
   std::optional<Expression> load{};  ///< load factor, a formula of t, by which plain numbers ramp; else t itself
 };
 
@@ -116,6 +117,7 @@ struct Case {
   };
   struct Output {
     int every = 1;  ///< steps between saved ones, the last is always saved; 0: every fiftieth of the time in dynamics
+    bool strain = true;  ///< saved with the material points, which else keep none
     bool pictures = true;
   };
 

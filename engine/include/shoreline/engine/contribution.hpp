@@ -16,6 +16,10 @@ namespace shoreline {
 /// What a load step balances: the increment of load alone, or the load less all that is carried already, (E.3).
 enum class Loading { residual, incremental };
 
+/// Where a load step evaluates functions and edges: where the body is by then, or where it was at the start. In the
+/// second case all steps have the same stiffness.
+enum class Geometry { updated, initial };
+
 /// What every contribution sees at one load step: the state at its start, on the current curve.
 struct StepState {
   const Basis& basis;
@@ -61,6 +65,9 @@ class Contribution {
   virtual ~Contribution() = default;
 
   [[nodiscard]] virtual std::string name() const = 0;
+
+  /// What it evaluates, and where, in words: "values on the edge".
+  [[nodiscard]] virtual std::string needs() const = 0;
 
   /// Appends blocks: tangent, and force = external − internal at the start of the step (residual loading) or the
   /// increment of external force (incremental loading).

@@ -41,6 +41,7 @@ struct PointSupports {
   std::vector<Index> point;  ///< points in the order of cells
   std::vector<Vec2> place;   ///< where they were located, in this order [m]
   int functions = 0;         ///< n per cell
+  Index most = 0;            ///< points in one cell
   std::vector<char> active;  ///< (cells of the grid) 1 in all parts of an element in which a material point sits
 
   [[nodiscard]] Index cells() const { return static_cast<Index>(cell.size()); }
@@ -53,14 +54,14 @@ void check_inside(const Basis& basis, const MaterialPoints& points);
 class BasisAtPoints {
  public:
   /// @param supports  outlive this object
-  BasisAtPoints(const Basis& basis, const PointSupports& supports) : basis_(&basis), supports_(&supports) {}
+  BasisAtPoints(const Basis& basis, const PointSupports& supports, Evaluate what = Evaluate::values_and_gradients);
 
   /// Evaluates at the points of the c-th occupied cell.
-  void evaluate(Index c, Evaluate what = Evaluate::values_and_gradients);
+  void evaluate(Index c);
 
   /// (n) values at the k-th point in the order of cells. @pre one of the cell that was evaluated last
   [[nodiscard]] const double* value(Index k) const { return value_.data() + (k - begin_) * supports_->functions; }
-  /// (2n) ∂x, ∂y of each function there [1/m]. @pre gradients were asked for, too
+  /// (2n) ∂x, ∂y of each function there [1/m]. @pre it evaluates gradients, too
   [[nodiscard]] const double* gradient(Index k) const {
     return gradient_.data() + 2 * (k - begin_) * supports_->functions;
   }
@@ -70,7 +71,7 @@ class BasisAtPoints {
   const PointSupports* supports_;
   Index begin_ = 0;  ///< first point of the cell
   std::vector<double> value_;
-  std::vector<double> gradient_;
+  std::vector<double> gradient_;  ///< empty where it is not wanted
 };
 
 /// Finds the cells of all points.

@@ -23,7 +23,6 @@ struct SavedStep {
   Eigen::Matrix2Xd position;      ///< (2, points) [m]
   Eigen::Matrix2Xd displacement;  ///< (2, points) [m]
   Eigen::Matrix4Xd stress;        ///< (4, points) xx, yy, xy, zz [Pa]
-  Eigen::Matrix3Xd strain;        ///< (3, points) xx, yy, xy (engineering)
   Eigen::VectorXd volume;         ///< (points) [m³ per metre of thickness]
   struct Curve {
     std::string name;
@@ -31,6 +30,7 @@ struct SavedStep {
     Eigen::Matrix2Xd polyline;  ///< (2, m) the spline, sampled for drawing [m]
   };
   std::vector<Curve> curves;
+  std::optional<Eigen::Matrix3Xd> strain{};                ///< (3, points) xx, yy, xy (engineering)
   std::optional<Eigen::Matrix2Xd> velocity{};              ///< (2, points) [m/s]; dynamics alone
   std::optional<Eigen::VectorXd> stress_error_estimate{};  ///< (points) |σ* − σ| [Pa]; last step, where asked for
 };
@@ -118,7 +118,7 @@ struct Summary {
   std::optional<double> strain_energy;  ///< (E.6) [J per metre of thickness]
   std::vector<std::string> warnings;
   double extended_share = 0.0;  ///< largest share of a piece that lies in cells without material points
-  std::map<std::string, long> counters;
+  std::map<std::string, long> counters;  ///< how often things were done, see Work; and what else was counted
 };
 
 }  // namespace shoreline

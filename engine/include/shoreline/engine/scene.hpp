@@ -36,6 +36,7 @@ struct Scene {
   std::vector<std::unique_ptr<Contribution>> contributions;
   Loading loading = Loading::residual;
   int load_steps = 1;
+  Geometry geometry = Geometry::updated;
   double respacing = 0.0;  ///< ratio of chords beyond which tracking points are re-spaced; 0: never
   std::optional<ExactSolution> exact;
   std::optional<MaterialPoints> samples;  ///< where errors are measured, (N.9), if not at the points; carry no load
