@@ -71,7 +71,7 @@ class Saving {
     record_.phases.time("output", [&] {
       SavedStep saved = saved_step(scene_, step, static_cast<double>(step) / scene_.load_steps);
       if (record_.error_estimate) saved.stress_error_estimate = record_.error_estimate->stress_at_point;
-      writer_.write(saved);
+      writer_.write(saved, scene_.points);
     });
     last_ = step;
     save_probes();

@@ -29,14 +29,7 @@ Eigen::Matrix2Xd drawn(const Piece& piece, const Eigen::Matrix2Xd& points) {
 }  // namespace
 
 SavedStep saved_step(const Scene& scene, int step, double t) {
-  SavedStep saved{.step = step,
-                  .t = t,
-                  .position = scene.points.position,
-                  .displacement = scene.points.displacement,
-                  .stress = scene.points.stress,
-                  .volume = scene.points.volume,
-                  .curves = {}};
-  if (scene.points.strain.cols() > 0) saved.strain = scene.points.strain;
+  SavedStep saved{.step = step, .t = t, .curves = {}};
   for (const BoundaryPiece& b : scene.boundary) {
     Eigen::Matrix2Xd points(2, static_cast<Eigen::Index>(b.piece.points.size()));
     for (Eigen::Index k = 0; k < points.cols(); ++k) points.col(k) = b.piece.points[static_cast<std::size_t>(k)];

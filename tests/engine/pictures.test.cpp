@@ -25,21 +25,16 @@ ResultsWriter results_in(const std::filesystem::path& folder, const std::string&
 /// A square of n² points compressed by @p strain, and its outline.
 void write_square(ResultsWriter& writer, int n, double strain) {
   for (const double t : {0.0, 1.0}) {
-    SavedStep step{.step = static_cast<int>(t),
-                   .t = t,
-                   .position = Eigen::Matrix2Xd(2, n * n),
-                   .displacement = {},
-                   .stress = Eigen::Vector4d(-3e3 * t, -8e3 * t, 0, -3e3 * t).replicate(1, n * n),
-                   .strain = Eigen::Matrix3Xd::Zero(3, n * n),
-                   .volume = Eigen::VectorXd::Constant(n * n, 1.0 / n / n),
-                   .curves = {{"outline", Eigen::Matrix2Xd(2, 4), Eigen::Matrix2Xd(2, 5)}}};
-    for (int i = 0; i < n * n; ++i) step.position.col(i) = Vec2(i % n + 0.5, i / n + 0.5) / n;
-    step.displacement = Eigen::Matrix2Xd::Zero(2, n * n);
-    step.displacement.row(1) = t * strain * step.position.row(1);
-    step.position += step.displacement;
+    MaterialPoints points = points_at(Eigen::Matrix2Xd(2, n * n), Eigen::VectorXd::Constant(n * n, 1.0 / n / n));
+    points.stress.colwise() = Eigen::Vector4d(-3e3 * t, -8e3 * t, 0, -3e3 * t);
+    SavedStep step{
+        .step = static_cast<int>(t), .t = t, .curves = {{"outline", Eigen::Matrix2Xd(2, 4), Eigen::Matrix2Xd(2, 5)}}};
+    for (int i = 0; i < n * n; ++i) points.position.col(i) = Vec2(i % n + 0.5, i / n + 0.5) / n;
+    points.displacement.row(1) = t * strain * points.position.row(1);
+    points.position += points.displacement;
     step.curves[0].polyline << 0, 1, 1, 0, 0, 0, 0, 1 + t * strain, 1 + t * strain, 0;
     step.curves[0].points = step.curves[0].polyline.leftCols<4>();
-    writer.write(step);
+    writer.write(step, points);
   }
 }
 

@@ -18,17 +18,16 @@ namespace {
 
 const QuadrilateralGrid grid(Vec2(0, 0), Vec2(0.5, 0.5), {2, 3});
 
+const MaterialPoints point{.position = Vec2(1, 2),
+                           .displacement = Vec2(3, 4),
+                           .volume = Eigen::VectorXd::Constant(1, 12.0),
+                           .stress = Eigen::Vector4d(5, 6, 7, 8),
+                           .strain = Vec3(9, 10, 11),
+                           .on_outline = {}};
+
 /// One point that moves.
 SavedStep moving_point(int number) {
-  return {.step = number,
-          .t = 0.5 * number,
-          .position = Vec2(1, 2),
-          .displacement = Vec2(3, 4),
-          .stress = Eigen::Vector4d(5, 6, 7, 8),
-          .strain = Vec3(9, 10, 11),
-          .volume = Eigen::VectorXd::Constant(1, 12.0),
-          .curves = {},
-          .velocity = Vec2(13.0 + number, -14.0)};
+  return {.step = number, .t = 0.5 * number, .curves = {}, .velocity = Vec2(13.0 + number, -14.0)};
 }
 
 /// Different numbers everywhere.
@@ -65,8 +64,8 @@ TEST_CASE("velocities are saved where there are any, for programs and for viewer
   const OutputFolder folder;
   {
     ResultsWriter writer(folder.path, "title", grid, "explicit_dynamics");
-    writer.write(moving_point(0));
-    writer.write(moving_point(1));
+    writer.write(moving_point(0), point);
+    writer.write(moving_point(1), point);
   }
   const Dataset velocity = read(folder.path, "steps/000001/points/velocity");
   CHECK(velocity.shape == std::vector<hsize_t>{1, 3});
@@ -77,7 +76,7 @@ TEST_CASE("velocities are saved where there are any, for programs and for viewer
 
   SavedStep at_rest = moving_point(2);
   at_rest.velocity.reset();
-  ResultsWriter(folder.path, "title", grid).write(at_rest);
+  ResultsWriter(folder.path, "title", grid).write(at_rest, point);
   CHECK_FALSE(contains(folder.path, "steps/000002/points/velocity"));
   CHECK(test::check_shapes(folder.path) == 6);
 }

@@ -17,14 +17,7 @@ namespace {
 
 /// A step whose curves, one a name, have moved by (0.1, 0.2) a step, point k by k times as much.
 SavedStep moved(int step, const std::map<std::string, Eigen::Index>& curves) {
-  SavedStep saved{.step = step,
-                  .t = 0.5 * step,
-                  .position = Eigen::Matrix2Xd::Zero(2, 1),
-                  .displacement = Eigen::Matrix2Xd::Zero(2, 1),
-                  .stress = Eigen::Matrix4Xd::Zero(4, 1),
-                  .strain = Eigen::Matrix3Xd::Zero(3, 1),
-                  .volume = Eigen::VectorXd::Ones(1),
-                  .curves = {}};
+  SavedStep saved{.step = step, .t = 0.5 * step, .curves = {}};
   for (const auto& [name, points] : curves) {
     Eigen::Matrix2Xd line(2, points);
     for (Eigen::Index k = 0; k < points; ++k)
@@ -37,7 +30,7 @@ SavedStep moved(int step, const std::map<std::string, Eigen::Index>& curves) {
 void write(const std::filesystem::path& folder, const std::vector<SavedStep>& steps) {
   const QuadrilateralGrid grid(Vec2(0, 0), Vec2(0.5, 0.5), {2, 3});
   ResultsWriter writer(folder, "title", grid);
-  for (const SavedStep& step : steps) writer.write(step);
+  for (const SavedStep& step : steps) writer.write(step, points_at(Vec2::Zero(), Eigen::VectorXd::Ones(1)));
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ class DynamicSaving {
       if (strain_) saved.strain = strain_of(scene_.motion.deformation);
       saved.velocity = scene_.motion.velocity;
       if (record_.error_estimate) saved.stress_error_estimate = record_.error_estimate->stress_at_point;
-      writer_.write(saved);
+      writer_.write(saved, scene_.body.points);
       writer_.append(scene_.body.probes);
       writer_.append(record_.history);
     });

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cassert>
 #include <cerrno>
 #include <system_error>
 #include <utility>
@@ -174,7 +175,9 @@ Eigen::MatrixXd Hdf5File::rows(const std::string& path) const {
   return columns;
 }
 
-void Hdf5File::write_rows(const std::string& path, const Eigen::MatrixXd& columns, const std::string& unit) {
+void Hdf5File::write_rows(const std::string& path, const Eigen::Ref<const Eigen::MatrixXd>& columns,
+                          const std::string& unit) {
+  assert(columns.outerStride() == columns.rows() || columns.cols() < 2);
   const Quiet quiet;
   const std::vector<hsize_t> shape{static_cast<hsize_t>(columns.cols()), static_cast<hsize_t>(columns.rows())};
   if (!write_array(id_, path, H5T_NATIVE_DOUBLE, columns.data(), shape)) fail(file_, path);

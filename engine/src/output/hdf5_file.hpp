@@ -32,7 +32,7 @@ class Hdf5File {
   [[nodiscard]] Eigen::MatrixXd rows(const std::string& path) const;
 
   /// Columns of @p columns become the rows of the file, which has one row a point.
-  void write_rows(const std::string& path, const Eigen::MatrixXd& columns, const std::string& unit);
+  void write_rows(const std::string& path, const Eigen::Ref<const Eigen::MatrixXd>& columns, const std::string& unit);
   void write_numbers(const std::string& path, const Eigen::VectorXd& numbers, const std::string& unit);
   void write_table(const std::string& path, const Eigen::MatrixXi& columns);
 

@@ -55,21 +55,21 @@ void write_cells(Hdf5File& file, const std::string& path, Eigen::Index points, b
   file.write_table(path, in_one_line ? Eigen::MatrixXi(numbers.transpose()) : numbers);
 }
 
-void write_points(Hdf5File& file, const SavedStep& step) {
-  const std::string points = step_group(step) + "/points/";
-  file.write_rows(points + "position", in_space(step.position), "m");
-  file.write_rows(points + "displacement", in_space(step.displacement), "m");
-  file.write_rows(points + "stress", step.stress, "Pa");
-  file.set_attribute(points + "stress", "components", "xx yy xy zz");
-  if (step.strain) {
-    file.write_rows(points + "strain", *step.strain, "1");
-    file.set_attribute(points + "strain", "components", "xx yy xy (engineering)");
+void write_points(Hdf5File& file, const SavedStep& step, const MaterialPoints& points) {
+  const std::string group = step_group(step) + "/points/";
+  file.write_rows(group + "position", in_space(points.position), "m");
+  file.write_rows(group + "displacement", in_space(points.displacement), "m");
+  file.write_rows(group + "stress", points.stress, "Pa");
+  file.set_attribute(group + "stress", "components", "xx yy xy zz");
+  if (saves_strain(step, points)) {
+    file.write_rows(group + "strain", step.strain ? *step.strain : points.strain, "1");
+    file.set_attribute(group + "strain", "components", "xx yy xy (engineering)");
   }
-  file.write_numbers(points + "volume", step.volume, "m^2");
+  file.write_numbers(group + "volume", points.volume, "m^2");
   if (step.stress_error_estimate)
-    file.write_numbers(points + "stress_error_estimate", *step.stress_error_estimate, "Pa");
-  if (step.velocity) file.write_rows(points + "velocity", in_space(*step.velocity), "m/s");
-  write_cells(file, vertices_table(step.volume.size()), step.volume.size(), false);
+    file.write_numbers(group + "stress_error_estimate", *step.stress_error_estimate, "Pa");
+  if (step.velocity) file.write_rows(group + "velocity", in_space(*step.velocity), "m/s");
+  write_cells(file, vertices_table(points.size()), points.size(), false);
 }
 
 void write_curve(Hdf5File& file, const std::string& group, const SavedStep::Curve& curve) {
@@ -129,9 +129,10 @@ void append_states(Hdf5File& file, const Probe& probe, std::span<const ProbeStat
 std::uintmax_t bytes_of(std::size_t rows, std::size_t width) { return 65536 + rows * (width + 1) * sizeof(double); }
 
 /// At least what a step takes in the file, with HDF5's own records.
-std::uintmax_t bytes_of(const SavedStep& step) {
-  Eigen::Index numbers = (12 + (step.strain ? 3 : 0) + (step.velocity ? 3 : 0) + (step.stress_error_estimate ? 1 : 0)) *
-                         step.volume.size();
+std::uintmax_t bytes_of(const SavedStep& step, const MaterialPoints& points) {
+  const Eigen::Index of_point =
+      12 + (saves_strain(step, points) ? 3 : 0) + (step.velocity ? 3 : 0) + (step.stress_error_estimate ? 1 : 0);
+  Eigen::Index numbers = of_point * points.size();
   for (const SavedStep::Curve& curve : step.curves) numbers += 3 * curve.points.cols() + 4 * curve.polyline.cols();
   const std::size_t records = 65536 + 8192 * step.curves.size();
   return static_cast<std::uintmax_t>(numbers) * sizeof(double) + records;
@@ -160,18 +161,18 @@ ResultsWriter::~ResultsWriter() {
   }
 }
 
-void ResultsWriter::write(const SavedStep& step) {
-  reserve(folder_ / "results.h5", bytes_of(step));
+void ResultsWriter::write(const SavedStep& step, const MaterialPoints& points) {
+  reserve(folder_ / "results.h5", bytes_of(step, points));
   Hdf5File file(folder_ / "results.h5", Hdf5File::Mode::append);
   file.make_group(step_group(step));
   file.set_attribute(step_group(step), "step", step.step);
   file.set_attribute(step_group(step), "t", step.t);
-  write_points(file, step);
+  write_points(file, step, points);
   for (const SavedStep::Curve& curve : step.curves)
     write_curve(file, step_group(step) + "/curves/" + link_name(curve.name), curve);
   file.close();
 
-  point_grids_ += point_grid(step);
+  point_grids_ += point_grid(step, points);
   curve_grids_ += curve_grid(step);
   ++saved_;
   if (saved_ > indexed_ + indexed_ / 50) write_index();

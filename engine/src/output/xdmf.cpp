@@ -77,22 +77,28 @@ std::string line_table(Eigen::Index points) { return fmt::format("/connectivity/
 
 std::string triangle_table() { return "/connectivity/triangles"; }
 
-std::string point_grid(const SavedStep& step) {
-  const Eigen::Index n = step.volume.size();
-  const std::string points = step_group(step) + "/points/";
+bool saves_strain(const SavedStep& step, const MaterialPoints& points) {
+  return step.strain || points.strain.cols() > 0;
+}
+
+std::string point_grid(const SavedStep& step, const MaterialPoints& points) {
+  const Eigen::Index n = points.size();
+  const std::string group = step_group(step) + "/points/";
   const std::string velocity =
-      step.velocity ? attribute("velocity", "Vector", points + "velocity", fmt::format("{} 3", n)) + "\n" : "";
+      step.velocity ? attribute("velocity", "Vector", group + "velocity", fmt::format("{} 3", n)) + "\n" : "";
   const std::string strain =
-      step.strain ? attribute("strain (xx, yy, xy)", "Matrix", points + "strain", fmt::format("{} 3", n)) + "\n" : "";
+      saves_strain(step, points)
+          ? attribute("strain (xx, yy, xy)", "Matrix", group + "strain", fmt::format("{} 3", n)) + "\n"
+          : "";
   const std::string estimate =
       step.stress_error_estimate
-          ? attribute("stress_error_estimate", "Scalar", points + "stress_error_estimate", fmt::format("{}", n)) + "\n"
+          ? attribute("stress_error_estimate", "Scalar", group + "stress_error_estimate", fmt::format("{}", n)) + "\n"
           : "";
   return "<Grid Name=\"material points\" GridType=\"Uniform\">" + time(step) + "\n" +
-         cells("Polyvertex", n, 1, vertices_table(n)) + "\n" + geometry(points + "position", n) + "\n" +
-         attribute("displacement", "Vector", points + "displacement", fmt::format("{} 3", n)) + "\n" + velocity +
-         estimate + attribute("stress (xx, yy, xy, zz)", "Matrix", points + "stress", fmt::format("{} 4", n)) + "\n" +
-         strain + attribute("volume", "Scalar", points + "volume", fmt::format("{}", n)) + "\n</Grid>\n";
+         cells("Polyvertex", n, 1, vertices_table(n)) + "\n" + geometry(group + "position", n) + "\n" +
+         attribute("displacement", "Vector", group + "displacement", fmt::format("{} 3", n)) + "\n" + velocity +
+         estimate + attribute("stress (xx, yy, xy, zz)", "Matrix", group + "stress", fmt::format("{} 4", n)) + "\n" +
+         strain + attribute("volume", "Scalar", group + "volume", fmt::format("{}", n)) + "\n</Grid>\n";
 }
 
 std::string curve_grid(const SavedStep& step) {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "shoreline/engine/material_points.hpp"
 #include "shoreline/engine/results.hpp"
 
 namespace shoreline {
@@ -22,7 +23,10 @@ namespace shoreline {
 [[nodiscard]] std::string triangle_table();
 
 /// The XDMF grids of one step, over arrays that have been written under step_group. No grid where there is no curve.
-[[nodiscard]] std::string point_grid(const SavedStep& step);
+[[nodiscard]] std::string point_grid(const SavedStep& step, const MaterialPoints& points);
+
+/// Whether a step is saved with the strain of its points.
+[[nodiscard]] bool saves_strain(const SavedStep& step, const MaterialPoints& points);
 [[nodiscard]] std::string curve_grid(const SavedStep& step);
 
 /// A whole XDMF file. Two collections in time; the points are the last one, which is what readers of one mesh take.

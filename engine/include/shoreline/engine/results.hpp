@@ -16,21 +16,17 @@
 
 namespace shoreline {
 
-/// State of the body at the end of one load step; step 0 is the start.
+/// What is saved of the body at the end of one load step beside its material points; step 0 is the start.
 struct SavedStep {
   int step = 0;
-  double t = 0.0;                 ///< step/N of a quasi-static run [1], or [s]
-  Eigen::Matrix2Xd position;      ///< (2, points) [m]
-  Eigen::Matrix2Xd displacement;  ///< (2, points) [m]
-  Eigen::Matrix4Xd stress;        ///< (4, points) xx, yy, xy, zz [Pa]
-  Eigen::VectorXd volume;         ///< (points) [m³ per metre of thickness]
+  double t = 0.0;  ///< step/N of a quasi-static run [1], or [s]
   struct Curve {
     std::string name;
     Eigen::Matrix2Xd points;    ///< (2, tracking points) [m]
     Eigen::Matrix2Xd polyline;  ///< (2, m) the spline, sampled for drawing [m]
   };
   std::vector<Curve> curves;
-  std::optional<Eigen::Matrix3Xd> strain{};                ///< (3, points) xx, yy, xy (engineering)
+  std::optional<Eigen::Matrix3Xd> strain{};                ///< (3, points), if the points do not keep it themselves
   std::optional<Eigen::Matrix2Xd> velocity{};              ///< (2, points) [m/s]; dynamics alone
   std::optional<Eigen::VectorXd> stress_error_estimate{};  ///< (points) |σ* − σ| [Pa]; last step, where asked for
 };
@@ -117,7 +113,7 @@ struct Summary {
   std::optional<Diagnostics> diagnostics;
   std::optional<double> strain_energy;  ///< (E.6) [J per metre of thickness]
   std::vector<std::string> warnings;
-  double extended_share = 0.0;  ///< largest share of a piece that lies in cells without material points
+  double extended_share = 0.0;           ///< largest share of a piece that lies in cells without material points
   std::map<std::string, long> counters;  ///< how often things were done, see Work; and what else was counted
 };
 

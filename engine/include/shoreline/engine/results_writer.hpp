@@ -5,6 +5,7 @@
 #include <string>
 
 #include "shoreline/bases/grid.hpp"
+#include "shoreline/engine/material_points.hpp"
 #include "shoreline/engine/results.hpp"
 
 namespace shoreline {
@@ -59,7 +60,7 @@ class ResultsWriter {
   /// Appends one step to results.h5 and rewrites results.xdmf, by rename; beyond 50 steps with every 2 % more of them
   /// and at the end, so that its cost stays in proportion.
   /// @throws OutputError with path and reason
-  void write(const SavedStep& step);
+  void write(const SavedStep& step, const MaterialPoints& points);
 
   /// Writes the field of a projection to results.h5, and results.xdmf.
   /// @throws OutputError with path and reason
