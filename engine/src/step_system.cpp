@@ -55,9 +55,33 @@ Solution solve_shifted(const StepSystem& system) {
   return solution;
 }
 
+Unknowns unknowns_of(const Basis& basis, const Assembler& assembler) {
+  Unknowns unknowns{Eigen::Matrix2Xd(2, assembler.equations()), Eigen::VectorXi(assembler.equations())};
+  for (Index e = 0; e < assembler.equations(); ++e) {
+    unknowns.place.col(e) = basis.control_point(assembler.unknown(e) / 2);
+    unknowns.component[e] = assembler.unknown(e) % 2;
+  }
+  return unknowns;
+}
+
+void analyse(const Basis& basis, const SolverRequest& request, StepSystem& system, RunRecord& record) {
+  record.phases.time("analyse", [&] {
+    if (system.iteration_failed)
+      system.solver.analyse(system.matrix);
+    else
+      system.solver.analyse(system.matrix, unknowns_of(basis, system.assembler), request);
+  });
+  ++record.analyses;
+}
+
+std::string not_converged(const NotConverged& error) {
+  return fmt::format("multigrid stopped after {} iterations at {:.1e} of the residual", error.iterations(),
+                     error.residual());
+}
+
 /// Factorises and solves; where the matrix is singular or nearly so, says why in the user's words.
-Eigen::VectorXd solve(const StepState& state, const std::vector<Constraint>& constraints, StepSystem& system,
-                      RunRecord& record) {
+Eigen::VectorXd factorize_and_solve(const StepState& state, const std::vector<Constraint>& constraints,
+                                    StepSystem& system, RunRecord& record) {
   Clock& clock = record.phases;
   std::string singular;
   clock.time("factorise", [&] {
@@ -82,6 +106,23 @@ Eigen::VectorXd solve(const StepState& state, const std::vector<Constraint>& con
                       fmt::format("{}. No load moves it, so it was left at rest. To hold it, {}", singular, remedy),
                       record.warnings);
   return std::move(solution.value);
+}
+
+/// Where the case leaves the choice, CHOLMOD goes on from where multigrid does not converge.
+Eigen::VectorXd solve(const StepState& state, const std::vector<Constraint>& constraints,
+                      const QuasiStaticOptions& options, StepSystem& system, RunRecord& record) {
+  try {
+    return factorize_and_solve(state, constraints, system, record);
+  } catch (const NotConverged& error) {
+    if (options.solver == SolverType::multigrid)
+      throw ComputationError(fmt::format("{}: the stiffness is badly conditioned or not positive definite; set "
+                                         "solver.type to \"cholmod\", or {}",
+                                         not_converged(error), remedy));
+    system.warnings.add("iteration", record.steps + 1, not_converged(error) + "; CHOLMOD goes on", record.warnings);
+  }
+  system.iteration_failed = true;
+  analyse(state.basis, {}, system, record);
+  return factorize_and_solve(state, constraints, system, record);
 }
 
 void warn_indefinite(const StepState& state, StepSystem& system, RunRecord& record) {
@@ -124,11 +165,9 @@ Eigen::Matrix2Xd solve_step(const Scene& scene, const StepState& state, const st
   record.degrees_of_freedom = system.assembler.equations();
   clock.time("assembly", [&] { system.assembler.assemble(system.blocks, system.matrix, system.force); });
   if (system.assembler.equations() == 0) return system.assembler.expand(system.force);  // every function is held
-  if (!same_pattern) {
-    clock.time("analyse", [&] { system.solver.analyse(system.matrix); });
-    ++record.analyses;
-  }
-  const Eigen::VectorXd solution = solve(state, constraints, system, record);
+  if (!same_pattern) analyse(*scene.basis, {options.solver, needs_factors(options)}, system, record);
+  const Eigen::VectorXd solution = solve(state, constraints, options, system, record);
+  record.solver = system.solver.use();
   if (!system.solver.positive_definite()) warn_indefinite(state, system, record);
   if (options.condition_estimate) estimate_condition(state, system, record);
   if (!solution.allFinite()) throw ComputationError("the solution is not finite; check loads and stiffness");

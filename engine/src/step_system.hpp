@@ -15,6 +15,7 @@ struct StepSystem {
   Eigen::VectorXd force;
   LinearSolver solver;
   StepWarnings warnings;
+  bool iteration_failed = false;  ///< multigrid, which is then not tried again
 };
 
 /// Assembles the contributions of a scene and solves for Δd, (2, functions) [m].
