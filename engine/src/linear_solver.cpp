@@ -103,7 +103,7 @@ void LinearSolver::analyse(const SparseMatrix& matrix, const Unknowns& unknowns,
   if (request.type == SolverType::automatic || request.type == SolverType::band) order = band_of(matrix, unknowns);
   const SystemSize size{.unknowns = matrix.size,
                         .width = order.width,
-                        .entries_per_row = static_cast<double>(matrix.row.size()) / matrix.size};
+                        .functions_per_cell = unknowns.functions_per_cell};
   state_->type = choose_solver(request, size).type;
   if (state_->type == SolverType::cholmod) return analyse(matrix);
   state_->factors =

@@ -56,7 +56,8 @@ Solution solve_shifted(const StepSystem& system) {
 }
 
 Unknowns unknowns_of(const Basis& basis, const Assembler& assembler) {
-  Unknowns unknowns{Eigen::Matrix2Xd(2, assembler.equations()), Eigen::VectorXi(assembler.equations())};
+  Unknowns unknowns{Eigen::Matrix2Xd(2, assembler.equations()), Eigen::VectorXi(assembler.equations()),
+                    basis.functions_per_cell()};
   for (Index e = 0; e < assembler.equations(); ++e) {
     unknowns.place.col(e) = basis.control_point(assembler.unknown(e) / 2);
     unknowns.component[e] = assembler.unknown(e) % 2;

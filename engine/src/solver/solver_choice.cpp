@@ -6,10 +6,10 @@ namespace shoreline {
 namespace {
 
 /// Measured; docs/solvers.md has the tables.
-constexpr Index widest_band = 260;
-constexpr double fewest_for_multigrid = 4e5;
-constexpr double fewest_for_multigrid_smooth = 3e4;  ///< where functions reach over more than one cell
-constexpr double smooth = 12.0;                      ///< entries a row of the lower half: 9 of Q4, 25 of degree 2
+constexpr Index width_per_function = 50;  ///< widest band, over the functions of a cell
+constexpr Index fewest_for_multigrid = 1000000;
+constexpr Index fewest_for_multigrid_smooth = 200000;  ///< where functions reach over more than one cell
+constexpr int smooth = 5;                              ///< functions of a cell
 
 }  // namespace
 
@@ -31,14 +31,15 @@ double band_bytes(const SystemSize& size) { return 8.0 * size.unknowns * (size.w
 
 SolverChoice choose_solver(const SolverRequest& request, const SystemSize& size) {
   if (request.type != SolverType::automatic) return {request.type, "the case names it"};
+  const Index widest_band = width_per_function * size.functions_per_cell;
   if (size.width <= widest_band)
     return {SolverType::band, fmt::format("a band of half width {} is narrow, at most {}", size.width, widest_band)};
-  const double fewest = size.entries_per_row > smooth ? fewest_for_multigrid_smooth : fewest_for_multigrid;
+  const Index fewest = size.functions_per_cell >= smooth ? fewest_for_multigrid_smooth : fewest_for_multigrid;
   const std::string wide = fmt::format("a band of half width {} is wide, above {}", size.width, widest_band);
   if (size.unknowns < fewest) return {SolverType::cholmod, wide};
   if (request.needs_factors) return {SolverType::cholmod, wide + ", and diagnostics ask for pivots"};
   if (!multigrid_available()) return {SolverType::cholmod, wide + ", and multigrid is not installed"};
-  return {SolverType::multigrid, fmt::format("{} unknowns are many, at least {:.0f}", size.unknowns, fewest)};
+  return {SolverType::multigrid, fmt::format("{} unknowns are many, at least {}", size.unknowns, fewest)};
 }
 
 }  // namespace shoreline

@@ -41,6 +41,7 @@ class NotConverged : public Error {
 struct Unknowns {
   Eigen::Matrix2Xd place;     ///< (2, equations) control point of each one's function [m]
   Eigen::VectorXi component;  ///< (equations) 0 or 1
+  int functions_per_cell;     ///< of the basis
 };
 
 /// Solves K x = f for K scaled symmetrically by its diagonal, with one step of iterative refinement, (L.1).

@@ -27,8 +27,8 @@ struct SolverRequest {
 /// What is known of a system before it is solved.
 struct SystemSize {
   Index unknowns = 0;
-  Index width = 0;               ///< half width of its band in grid order: max |i − j| over its entries
-  double entries_per_row = 0.0;  ///< of the lower half
+  Index width = 0;             ///< half width of its band in grid order: max |i − j| over its entries
+  int functions_per_cell = 4;  ///< of the basis: how many of them are coupled at a point
 };
 
 /// A method and why it was taken.
