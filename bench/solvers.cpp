@@ -97,12 +97,15 @@ void print(const Body& body, const std::vector<Measured>& runs) {
       return median(values);
     };
     fmt::print("{},{},{},{},{:.2f},{:.2f},{:.2f},{:.2f},{:.1f},{}\n", body.name, use.unknowns, name_of(use.type), s + 1,
-               phase(0), phase(1), phase(2), phase(0) + phase(1) + phase(2), use.bytes / 1e6, use.iterations.value_or(0));
+               phase(0), phase(1), phase(2), phase(0) + phase(1) + phase(2), use.bytes / 1e6,
+               use.iterations.value_or(0));
   }
   std::fflush(stdout);
 }
 
-bool has(const std::string& list, const std::string& word) { return ("," + list + ",").find("," + word + ",") != list.npos; }
+bool has(const std::string& list, const std::string& word) {
+  return ("," + list + ",").find("," + word + ",") != list.npos;
+}
 
 }  // namespace
 

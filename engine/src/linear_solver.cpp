@@ -101,9 +101,8 @@ void LinearSolver::analyse(const SparseMatrix& matrix) {
 void LinearSolver::analyse(const SparseMatrix& matrix, const Unknowns& unknowns, const SolverRequest& request) {
   BandOrder order;
   if (request.type == SolverType::automatic || request.type == SolverType::band) order = band_of(matrix, unknowns);
-  const SystemSize size{.unknowns = matrix.size,
-                        .width = order.width,
-                        .functions_per_cell = unknowns.functions_per_cell};
+  const SystemSize size{
+      .unknowns = matrix.size, .width = order.width, .functions_per_cell = unknowns.functions_per_cell};
   state_->type = choose_solver(request, size).type;
   if (state_->type == SolverType::cholmod) return analyse(matrix);
   state_->factors =

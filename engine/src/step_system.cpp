@@ -116,9 +116,10 @@ Eigen::VectorXd solve(const StepState& state, const std::vector<Constraint>& con
     return factorize_and_solve(state, constraints, system, record);
   } catch (const NotConverged& error) {
     if (options.solver == SolverType::multigrid)
-      throw ComputationError(fmt::format("{}: the stiffness is badly conditioned or not positive definite; set "
-                                         "solver.type to \"cholmod\", or {}",
-                                         not_converged(error), remedy));
+      throw ComputationError(
+          fmt::format("{}: the stiffness is badly conditioned or not positive definite; set "
+                      "solver.type to \"cholmod\", or {}",
+                      not_converged(error), remedy));
     system.warnings.add("iteration", record.steps + 1, not_converged(error) + "; CHOLMOD goes on", record.warnings);
   }
   system.iteration_failed = true;

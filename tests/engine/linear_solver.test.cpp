@@ -238,7 +238,8 @@ TEST_CASE("every method solves the same systems", "[engine][linear_solver]") {
   for (int draw = 0; draw < 10; ++draw) {
     const Lattice l = lattice(random, random.whole(2, 9), 0.1);
     const Eigen::VectorXd x = random_vector(random, l.matrix.rows());
-    for (const SolverType type : {SolverType::automatic, SolverType::band, SolverType::cholmod, SolverType::multigrid}) {
+    for (const SolverType type :
+         {SolverType::automatic, SolverType::band, SolverType::cholmod, SolverType::multigrid}) {
       if (type == SolverType::multigrid && !multigrid_available()) continue;
       const LinearSolver solver = factorized(l, type);
       CHECK(solver.positive_definite());
@@ -349,10 +350,12 @@ TEST_CASE("multigrid serves every matrix of its pattern, and says where it does 
   }
   Eigen::MatrixXd indefinite = l.matrix;
   indefinite.diagonal().array() -= 3.0;
-  CHECK_THROWS_AS([&] {
-    solver.factorize(sparse(indefinite));
-    static_cast<void>(solver.solve(x));
-  }(), NotConverged);
+  CHECK_THROWS_AS(
+      [&] {
+        solver.factorize(sparse(indefinite));
+        static_cast<void>(solver.solve(x));
+      }(),
+      NotConverged);
 }
 
 TEST_CASE("the BLAS at work has a name", "[engine][linear_solver]") {

@@ -16,8 +16,7 @@ SystemSize wide(Index unknowns, int functions_per_cell) {
 
 TEST_CASE("a solver that is named is taken", "[engine][solver_choice]") {
   for (const SolverType type : {SolverType::band, SolverType::cholmod, SolverType::multigrid})
-    for (const Index unknowns : {10, 100000000})
-      CHECK(choose_solver({.type = type}, wide(unknowns, 4)).type == type);
+    for (const Index unknowns : {10, 100000000}) CHECK(choose_solver({.type = type}, wide(unknowns, 4)).type == type);
 }
 
 TEST_CASE("narrow bands are solved as bands whatever their length", "[engine][solver_choice]") {

@@ -117,9 +117,7 @@ Schema tracking() {
              {}}};
 }
 
-Object solver() {
-  return {{key("threads", {Integer{0, 1024}}, otherwise(Case{}.threads), "", "0: all cores")}, {}};
-}
+Object solver() { return {{key("threads", {Integer{0, 1024}}, otherwise(Case{}.threads), "", "0: all cores")}, {}}; }
 Object solver_of_load_steps() {
   Object keys = solver();
   keys.keys.push_back(key("type", {Choice{{"auto", "band", "cholmod", "multigrid"}}}, otherwise(name_of(Case{}.solver)),

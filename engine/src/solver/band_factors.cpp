@@ -47,8 +47,7 @@ class BandFactors final : public Factors {
   std::optional<Index> factorize(const ScaledMatrix& scaled, double shift) override {
     const Index n = size();
 #pragma omp parallel for schedule(static)
-    for (Index j = 0; j < n; ++j)
-      std::fill(band_.get() + start(j), band_.get() + start(j + 1), 0.0);
+    for (Index j = 0; j < n; ++j) std::fill(band_.get() + start(j), band_.get() + start(j + 1), 0.0);
     for (std::size_t k = 0; k < place_.size(); ++k) band_[place_[k]] = scaled.matrix.value[k];
     for (Index j = 0; j < n; ++j) band_[start(j)] += shift;
     const int rows = order_.width + 1;

@@ -28,8 +28,7 @@ struct BandOrder {
   const double same = 1e-9 * (x.rowwise().maxCoeff() - x.rowwise().minCoeff()).maxCoeff();  // but for rounding
   std::vector<Place> places;
   for (Index e = 0; e < x.cols(); ++e)
-    places.push_back(
-        {same > 0.0 ? std::round(x(slow, e) / same) : 0.0, x(1 - slow, e), unknowns.component[e], e});
+    places.push_back({same > 0.0 ? std::round(x(slow, e) / same) : 0.0, x(1 - slow, e), unknowns.component[e], e});
   std::ranges::sort(places, [](const Place& a, const Place& b) { return (a <=> b) < 0; });
   std::vector<Index> position(places.size());
   for (std::size_t k = 0; k < places.size(); ++k)

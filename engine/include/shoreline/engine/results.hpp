@@ -81,7 +81,7 @@ struct Summary {
   Index material_points = 0;
   int steps = 0;
   int threads = 1;
-  std::string blas;                  ///< that the program ran on
+  std::string blas;                   ///< that the program ran on
   std::optional<SolverUse> solver{};  ///< of the last load step; quasi-static alone
   struct Effect {
     std::string name;

@@ -53,7 +53,7 @@ struct SolverChoice {
 struct SolverUse {
   SolverType type = SolverType::automatic;
   Index unknowns = 0;
-  double bytes = 0.0;                 ///< of the factor or the hierarchy of grids
+  double bytes = 0.0;                ///< of the factor or the hierarchy of grids
   std::optional<long> iterations{};  ///< of all solutions since the matrix came; multigrid alone
 };
 
