@@ -6,8 +6,8 @@ namespace shoreline {
 namespace {
 
 /// Measured; docs/solvers.md has the tables.
-constexpr Index width_per_function = 50;  ///< widest band, over the functions of a cell
-constexpr Index fewest_for_multigrid = 1000000;
+constexpr Index width_per_function = 52;  ///< widest band, over the functions of a cell
+constexpr Index fewest_for_multigrid = 2000000;
 constexpr Index fewest_for_multigrid_smooth = 200000;  ///< where functions reach over more than one cell
 constexpr int smooth = 5;                              ///< functions of a cell
 
