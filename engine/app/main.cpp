@@ -15,6 +15,7 @@
 #include "case_file/nearest.hpp"
 #include "shoreline/engine/case_reader.hpp"
 #include "shoreline/engine/failures.hpp"
+#include "shoreline/engine/linear_solver.hpp"
 #include "shoreline/engine/report.hpp"
 #include "shoreline/engine/run.hpp"
 #include "shoreline/engine/study.hpp"
@@ -46,8 +47,14 @@ std::filesystem::path output_of(const Arguments& arguments) {
   return "out" / std::filesystem::path(arguments.file).stem();
 }
 
+void tell_blas() {
+  const shoreline::Blas blas = shoreline::blas_at_work();
+  std::cerr << (blas.reference ? "shoreline: warning: slow BLAS: " : "BLAS: ") << blas.name << '\n';
+}
+
 void run_case(const Arguments& arguments) {
   const shoreline::Case problem = shoreline::read_case(arguments.file, overrides_of(arguments));
+  if (!arguments.quiet) tell_blas();
   const std::filesystem::path output = output_of(arguments);
   const shoreline::Summary summary = shoreline::run(problem, {.output = output, .quiet = arguments.quiet});
   std::cout << shoreline::report(summary, output);

@@ -5,6 +5,7 @@
 #include "dynamics/dynamic_run.hpp"
 #include "effect_list.hpp"
 #include "make_basis.hpp"
+#include "predicted_system.hpp"
 #include "projection_run.hpp"
 #include "shoreline/engine/run.hpp"
 #include "shoreline/engine/scene.hpp"
@@ -35,22 +36,27 @@ double bytes_of_point(const Scene& scene) {
 
 /// Bytes of a run, from its sizes. The factor of an AMD-ordered plane grid has about 8 n log₂ n entries; where
 /// functions reach over p cells, the separators are p of them wide, and entries (1 + p²)/2 times as many.
-double predicted_bytes(const Scene& scene, const PointSupports& supports, double unknowns, const Case& problem) {
+double predicted_bytes(const Scene& scene, const PointSupports& supports, const SystemSize& size, SolverType solver,
+                       const Case& problem) {
+  const double unknowns = size.unknowns;
   const double n = scene.basis->functions_per_cell();
   const double points = scene.points.size();
   const double samples = scene.samples ? scene.samples->size() : 0;
   const double cells = supports.cells();
   const double block_entries = n * (2.0 * n + 1.0);
-  const double written = 8.0 * (scene.points.strain.cols() > 0 ? 12.0 : 9.0) + 24.0;  // a step that is saved
+  constexpr double written = 3.0 * 8.0;                  // positions in space, as they are saved
   const double block = 12.0 * block_entries + 60.0 * n;  // matrix and place, functions and pattern
   const double matrix = 5.0 * n * 2.0 * 12.0;            // an unknown's column, twice
   const double reach = problem.grid.basis == Case::BasisType::bspline ? problem.grid.degree : 1.0;
   const double factor = 4.0 * (1.0 + reach * reach) * 8.0 * std::log2(std::max(unknowns, 2.0));
+  const double kept = solver == SolverType::band        ? band_bytes(size)
+                      : solver == SolverType::multigrid ? unknowns * 2.5 * matrix
+                                                        : unknowns * factor;
   // the estimate has one component, so a quarter of the matrix, of its factor and (as triplets) of its blocks
   const double estimate = cells * 8.0 * n * (n + 1.0) + 0.25 * unknowns * (matrix + factor);
   constexpr double program = 2.2e7;
-  return (problem.error_estimate ? estimate : 0.0) + program + points * bytes_of_point(scene) + samples * 120.0 +
-         std::max(points * written, cells * block + unknowns * (matrix + factor)) +
+  return (problem.error_estimate ? estimate : 0.0) + program + (points + samples) * bytes_of_point(scene) +
+         points * written + cells * block + unknowns * matrix + kept +
          bytes_of_cell(problem.grid.basis) * scene.basis->grid().cells();
 }
 
@@ -81,22 +87,22 @@ EffectList effects_of(const Case& problem, const Scene& scene) {
 std::string plan(const Case& problem) {
   if (std::holds_alternative<Projection>(problem.analysis)) return plan_projection(problem);
   if (std::holds_alternative<ExplicitDynamics>(problem.analysis)) return plan_dynamics(problem);
+  require_solver(problem);
   const Scene scene = build_scene(problem);
   const Grid& grid = scene.basis->grid();
   const PointSupports supports = locate_points(*scene.basis, scene.points);
-  std::vector<char> seen(static_cast<std::size_t>(scene.basis->functions()), 0);
-  Index unknowns = 0;
-  for (const Index cell : supports.cell)
-    for (const Index f : scene.basis->functions_of(cell))
-      if (!std::exchange(seen[static_cast<std::size_t>(f)], 1)) unknowns += 2;
+  const SystemSize size = predicted_size(scene, supports, problem.ghost > 0.0);
+  const SolverRequest request{problem.solver, problem.condition_estimate || problem.cut_fractions};
+  const SolverChoice solver = choose_solver(request, size);
   return fmt::format(
       "{}\n\n{}\nsizes\n"
       "  load steps          {}\n  basis               {}\n  grid                {} elements of {} {}, {} cells with "
       "material\n  material points     {} of {:.0f} bytes\n"
-      "  unknowns            at most {}\n  predicted memory    {:.0f} MB\n",
+      "  unknowns            at most {}\n  solver              {}: {}\n  predicted memory    {:.0f} MB\n",
       problem.title, text_of(effects_of(problem, scene)), scene.load_steps, name_of(problem.grid.basis),
       grid.cells() / grid.parts(), grid.parts(), grid.parts() == 1 ? "cell" : "cells", supports.cells(),
-      scene.points.size(), bytes_of_point(scene), unknowns, predicted_bytes(scene, supports, unknowns, problem) / 1e6);
+      scene.points.size(), bytes_of_point(scene), size.unknowns, name_of(solver.type), solver.reason,
+      predicted_bytes(scene, supports, size, solver.type, problem) / 1e6);
 }
 
 }  // namespace shoreline

@@ -10,6 +10,7 @@
 #include "make_basis.hpp"
 #include "shoreline/engine/clock.hpp"
 #include "shoreline/engine/failures.hpp"
+#include "shoreline/engine/linear_solver.hpp"
 #include "shoreline/engine/pictures.hpp"
 #include "shoreline/engine/results_writer.hpp"
 #include "shoreline/engine/summary.hpp"
@@ -194,6 +195,7 @@ Summary start(const Case& problem, const Setup& setup, const Projection& project
   summary.degrees_of_freedom = count_functions(*setup.basis, determined_cells(setup));
   if (projection.at_points) summary.material_points = static_cast<Index>(setup.points.x.size());
   summary.threads = threads;
+  summary.blas = blas_name();
   return summary;
 }
 

@@ -179,6 +179,7 @@ void run_step(Scene& scene, int step, const QuasiStaticOptions& options, Workspa
                         work.edges,   scene.loading, t,
                         t_before,     prescribed,    work.dilatation ? &*work.dilatation : nullptr};
 
+  work.system.same_matrix = located;
   const Eigen::Matrix2Xd increment = solve_step(scene, state, constraints, options, work.system, record);
   if (options.cut_fractions)
     record.diagnostics =

@@ -41,6 +41,7 @@ void take_over(const RunRecord& record, double total, Summary& summary) {
   take_over_common(record, total, summary);
   summary.condition_estimate = record.condition_estimate;
   summary.diagnostics = record.diagnostics;
+  summary.solver = record.solver;
   summary.extended_share = record.extended_share;
 }
 
@@ -93,6 +94,7 @@ Summary start(const Case& problem, const Scene& scene, int threads) {
   name_basis(problem.grid, summary);
   summary.material_points = scene.points.size();
   summary.threads = threads;
+  summary.blas = blas_name();
   return summary;
 }
 
@@ -103,15 +105,27 @@ int use_threads(int asked) {
   return threads;
 }
 
+void warn_of_blas(RunRecord& record) {
+  if (const Blas blas = blas_at_work(); blas.reference)
+    record.warnings.push_back(blas.name + " is many times slower than OpenBLAS: do not preload it");
+}
+
 }  // namespace
+
+void require_solver(const Case& problem) {
+  if (problem.solver == SolverType::multigrid && !multigrid_available())
+    throw CaseError(problem.file.string(), "/solver/type", "found \"multigrid\", but " + multigrid_missing());
+}
 
 Summary run(const Case& problem, const RunOptions& options) {
   const auto start_time = std::chrono::steady_clock::now();
   const int threads = use_threads(problem.threads);
   if (std::holds_alternative<Projection>(problem.analysis)) return run_projection(problem, options, threads);
   if (std::holds_alternative<ExplicitDynamics>(problem.analysis)) return run_dynamics(problem, options, threads);
+  require_solver(problem);
   const Counts before = counted();
   RunRecord record;
+  warn_of_blas(record);
   Scene scene = build_scene(problem, record.phases);
   Summary summary = start(problem, scene, threads);
 
@@ -139,6 +153,7 @@ Summary run(const Case& problem, const RunOptions& options) {
                    {.condition_estimate = problem.condition_estimate,
                     .cut_fractions = problem.cut_fractions,
                     .error_estimate = problem.error_estimate,
+                    .solver = problem.solver,
                     .after_step = after_step},
                    record);
     const bool radii = problem.exact && std::holds_alternative<ThickCylinder>(*problem.exact);

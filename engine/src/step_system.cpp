@@ -56,33 +56,83 @@ Solution solve_shifted(const StepSystem& system) {
   return solution;
 }
 
-/// Factorises and solves; where the matrix is singular or nearly so, says why in the user's words.
-Eigen::VectorXd solve(const StepState& state, const std::vector<Constraint>& constraints, StepSystem& system,
-                      RunRecord& record) {
-  Clock& clock = record.phases;
-  std::string singular;
-  clock.time("factorise", [&] {
-    try {
-      system.solver.factorize(system.matrix);
-    } catch (const SingularMatrix& error) {
-      singular = singular_at(state, system, error);
-    }
-    if (singular.empty() && system.solver.smallest_pivot() > suspicious_pivot) return;
-    require_held(state, constraints, system);
-    if (!singular.empty()) factorize_shifted(singular, system);
+Unknowns unknowns_of(const Basis& basis, const Assembler& assembler) {
+  Unknowns unknowns{Eigen::Matrix2Xd(2, assembler.equations()), Eigen::VectorXi(assembler.equations()),
+                    basis.functions_per_cell()};
+  for (Index e = 0; e < assembler.equations(); ++e) {
+    unknowns.place.col(e) = basis.control_point(assembler.unknown(e) / 2);
+    unknowns.component[e] = assembler.unknown(e) % 2;
+  }
+  return unknowns;
+}
+
+void analyse(const Basis& basis, const SolverRequest& request, StepSystem& system, RunRecord& record) {
+  record.phases.time("analyse", [&] {
+    if (system.iteration_failed)
+      system.solver.analyse(system.matrix);
+    else
+      system.solver.analyse(system.matrix, unknowns_of(basis, system.assembler), request);
   });
-  ++record.factorisations;
-  if (singular.empty()) return clock.time("solve", [&] { return system.solver.solve(system.force); });
+  ++record.analyses;
+}
+
+std::string not_converged(const NotConverged& error) {
+  return fmt::format("multigrid stopped after {} iterations at {:.1e} of the residual", error.iterations(),
+                     error.residual());
+}
+
+/// Where the matrix is singular or nearly so, finds out why.
+void factorize(const StepState& state, const std::vector<Constraint>& constraints, StepSystem& system) {
+  system.singular.clear();
+  try {
+    system.solver.factorize(system.matrix);
+  } catch (const SingularMatrix& error) {
+    system.singular = singular_at(state, system, error);
+  }
+  if (system.singular.empty() && system.solver.smallest_pivot() > suspicious_pivot) return;
+  require_held(state, constraints, system);
+  if (!system.singular.empty()) factorize_shifted(system.singular, system);
+}
+
+/// Factorises and solves; where the matrix is singular or nearly so, says why in the user's words.
+Eigen::VectorXd factorize_and_solve(const StepState& state, const std::vector<Constraint>& constraints,
+                                    StepSystem& system, RunRecord& record) {
+  Clock& clock = record.phases;
+  if (!system.same_matrix) {
+    clock.time("factorise", [&] { factorize(state, constraints, system); });
+    ++record.factorisations;
+  }
+  if (system.singular.empty()) return clock.time("solve", [&] { return system.solver.solve(system.force); });
 
   Solution solution = clock.time("solve", [&] { return solve_shifted(system); });
   if (!(solution.change <= determined))
     throw ComputationError(fmt::format(
         "{}. The loads do not determine it (each refinement changes it by {:.1e} of the largest displacement); {}",
-        singular, solution.change, remedy));
-  system.warnings.add("singular", record.steps + 1,
-                      fmt::format("{}. No load moves it, so it was left at rest. To hold it, {}", singular, remedy),
-                      record.warnings);
+        system.singular, solution.change, remedy));
+  system.warnings.add(
+      "singular", record.steps + 1,
+      fmt::format("{}. No load moves it, so it was left at rest. To hold it, {}", system.singular, remedy),
+      record.warnings);
   return std::move(solution.value);
+}
+
+/// Where the case leaves the choice, CHOLMOD goes on from where multigrid does not converge.
+Eigen::VectorXd solve(const StepState& state, const std::vector<Constraint>& constraints,
+                      const QuasiStaticOptions& options, StepSystem& system, RunRecord& record) {
+  try {
+    return factorize_and_solve(state, constraints, system, record);
+  } catch (const NotConverged& error) {
+    if (options.solver == SolverType::multigrid)
+      throw ComputationError(
+          fmt::format("{}: the stiffness is badly conditioned or not positive definite; set "
+                      "solver.type to \"cholmod\", or {}",
+                      not_converged(error), remedy));
+    system.warnings.add("iteration", record.steps + 1, not_converged(error) + "; CHOLMOD goes on", record.warnings);
+  }
+  system.iteration_failed = true;
+  system.same_matrix = false;
+  analyse(state.basis, {}, system, record);
+  return factorize_and_solve(state, constraints, system, record);
 }
 
 void warn_indefinite(const StepState& state, StepSystem& system, RunRecord& record) {
@@ -98,8 +148,8 @@ void warn_indefinite(const StepState& state, StepSystem& system, RunRecord& reco
 constexpr double suspicious_condition = 1e14;
 
 void estimate_condition(const StepState& state, StepSystem& system, RunRecord& record) {
-  record.condition_estimate =
-      timed_effect(record, "condition_estimate", "condition_estimate", [&] { return system.solver.condition_estimate(); });
+  record.condition_estimate = timed_effect(record, "condition_estimate", "condition_estimate",
+                                           [&] { return system.solver.condition_estimate(); });
   if (*record.condition_estimate <= suspicious_condition) return;
   system.warnings.add(
       "condition", record.steps + 1,
@@ -125,11 +175,10 @@ Eigen::Matrix2Xd solve_step(const Scene& scene, const StepState& state, const st
   record.degrees_of_freedom = system.assembler.equations();
   clock.time("assembly", [&] { system.assembler.assemble(system.blocks, system.matrix, system.force); });
   if (system.assembler.equations() == 0) return system.assembler.expand(system.force);  // every function is held
-  if (!same_pattern) {
-    clock.time("analyse", [&] { system.solver.analyse(system.matrix); });
-    ++record.analyses;
-  }
-  const Eigen::VectorXd solution = solve(state, constraints, system, record);
+  system.same_matrix &= same_pattern;
+  if (!same_pattern) analyse(*scene.basis, {options.solver, needs_factors(options)}, system, record);
+  const Eigen::VectorXd solution = solve(state, constraints, options, system, record);
+  record.solver = system.solver.use();
   if (!system.solver.positive_definite()) warn_indefinite(state, system, record);
   if (options.condition_estimate) estimate_condition(state, system, record);
   if (!solution.allFinite()) throw ComputationError("the solution is not finite; check loads and stiffness");

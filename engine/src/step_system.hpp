@@ -15,6 +15,9 @@ struct StepSystem {
   Eigen::VectorXd force;
   LinearSolver solver;
   StepWarnings warnings;
+  bool same_matrix = false;  ///< as in the step before, whose factors serve again
+  std::string singular{};    ///< what the message says of a singular matrix, whose factors are those of a shifted one
+  bool iteration_failed = false;  ///< multigrid, which is then not tried again
 };
 
 /// Assembles the contributions of a scene and solves for Δd, (2, functions) [m].

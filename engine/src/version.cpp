@@ -10,6 +10,8 @@
 #include <boost/version.hpp>
 #include <nlohmann/json.hpp>
 
+#include "shoreline/engine/linear_solver.hpp"
+
 namespace shoreline {
 namespace {
 
@@ -25,11 +27,6 @@ std::string suitesparse() {
   if (ask == nullptr) return "unknown";
   ask(number.data());
   return fmt::format("{}", fmt::join(number, "."));
-}
-
-std::string blas() {
-  auto* ask = loaded<char*()>("openblas_get_config");
-  return ask == nullptr ? "not OpenBLAS" : ask();
 }
 
 std::string hdf5() {
@@ -48,7 +45,7 @@ std::string version_report() {
       "Eigen {}.{}.{}, SuiteSparse {}, BLAS: {}\n"
       "Boost {}.{}.{}, nlohmann_json {}.{}.{}, HDF5 {}, muParser {}, fmt {}.{}.{}\n",
       version(), SHORELINE_BUILD_TYPE, __VERSION__, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION,
-      suitesparse(), blas(), BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100,
+      suitesparse(), blas_name(), BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, BOOST_VERSION % 100,
       NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH, hdf5(), mu::ParserVersion,
       FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100);
 }

@@ -176,6 +176,35 @@ TEST_CASE("one step takes one analysis and one factorisation, a kept pattern no 
   }
 }
 
+TEST_CASE("runs by every solver agree", "[engine][quasi_static]") {
+  for (const test::CompressionSquare& square : methods) {
+    const auto moved = [&](SolverType type) {
+      Scene scene = test::compression_square(square);
+      RunRecord record;
+      run_load_steps(scene, {.solver = type}, record);
+      CHECK(record.solver->type == type);
+      CHECK(record.solver->unknowns == record.degrees_of_freedom);
+      CHECK(record.solver->iterations.has_value() == (type == SolverType::multigrid));
+      return scene.points.displacement;
+    };
+    const Eigen::Matrix2Xd direct = moved(SolverType::cholmod);
+    CHECK((moved(SolverType::band) - direct).norm() <= 1e-10 * direct.norm());
+    if (multigrid_available()) CHECK((moved(SolverType::multigrid) - direct).norm() <= 1e-8 * direct.norm());
+  }
+}
+
+TEST_CASE("multigrid that does not converge ends the run and says what to try", "[engine][quasi_static]") {
+  if (!multigrid_available()) return;
+  test::CompressionSquare square{.band = 0.1, .method = EssentialMethod::nitsche};
+  Case problem = test::compression_case(square);
+  problem.boundaries[0].condition = Essential{.method = EssentialMethod::nitsche, .band = 10.0};
+  Scene scene = build_scene(problem);
+  RunRecord record;
+  CHECK_THROWS_WITH(run_load_steps(scene, {.solver = SolverType::multigrid}, record),
+                    Catch::Matchers::Contains("iterations") && Catch::Matchers::Contains("\"cholmod\"") &&
+                        Catch::Matchers::Contains("ghost"));
+}
+
 TEST_CASE("a stiffness that is not positive definite is solved all the same, and said to be so",
           "[engine][quasi_static]") {
   test::Random random(1);

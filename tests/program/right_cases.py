@@ -32,7 +32,7 @@ CASE = {
     "samples": 20,
     "probes": [{"name": "tip", "position": [1, 0], "at": "place"}, {"name": "root", "position": [-1, 0]}],
     "tracking": {"respace": 4.0},
-    "solver": {"threads": 1},
+    "solver": {"threads": 1, "type": "band"},
     "diagnostics": {"condition_estimate": True, "cut_fractions": False, "strain_energy": True, "error_estimate": True},
     "output": {"every": 1, "pictures": False},
 }

@@ -104,6 +104,8 @@ def wrong_values():
         ("tracking/respace", 1e300, "1e+06", True),
         ("solver/threads", -1, "from 0", True),
         ("solver/threads", 100000, "1024", True),
+        ("solver/type", "bnad", 'nearest: "band"', True),
+        ("solver/type", 1, '"cholmod"', True),
         ("diagnostics/condition_estimate", 1, "true or false", True),
         ("diagnostics/cut_fractions", "yes", "true or false", True),
         ("diagnostics/strain_energy", "J", "true or false", True),
@@ -134,6 +136,8 @@ def wrong_together():
     yield also("constants", "1p", 1, "/constants/1p", ["letters"], False)
     yield also("boundaries/4/condition", "value", [0, 0], "/boundaries/4/condition", ["exactly one of"], True)
     yield also("boundaries/5/condition", "band", 1e-3, "/boundaries/5/condition/band", ["expected none"], False)
+    yield Wrong("a condition estimate by multigrid", replaced("solver/type", "multigrid"),
+                "/diagnostics/condition_estimate", ["found true", "expected false", '"multigrid"'], False)
     yield Wrong("an exact displacement of no exact solution", changed("exact", lambda at, last: at.pop(last)),
                 "/boundaries/5/condition/value", ['the key "exact"'], False)
     inexact = {key: value for key, value in CASE.items() if key != "exact"}

@@ -23,7 +23,7 @@ def wrong_key(case, pointer, among):
     """One key misspelt, mistyped, missing."""
     parent, key = pointer.rsplit("/", 1)
     path = pointer[1:]
-    tag = key == "type"
+    tag = key == "type" and parent != "/solver"
     if parent != "/constants":
         misspelt = key[:-1] + "q" + key[-1]
         text = changed(path, lambda at, last: at.__setitem__(misspelt, at.pop(last)), case)
@@ -32,7 +32,7 @@ def wrong_key(case, pointer, among):
     yield Wrong(f"mistyped {pointer}", replaced(path, None, case), pointer, ["found null", "expected"], True)
     first = key in ("points", "mesh") and "name" not in among  # tells what the object is
     optional = OPTIONAL - {"density"} | OPTIONAL_IN_DYNAMICS if case is DYNAMICS else OPTIONAL
-    if (key not in optional or one_of_several(key, among)) and not first:
+    if (key not in optional or one_of_several(key, among)) and not first and pointer != "/solver/type":
         text = changed(path, lambda at, last: at.pop(last), case)
         words = ["exactly one of"] if one_of_several(key, among) else [f'"{key}" is missing', "expected"]
         yield Wrong(f"missing {pointer}", text, parent, words, True)

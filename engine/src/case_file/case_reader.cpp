@@ -154,6 +154,19 @@ void read_loads(const Node& root, const Constants& constants, Case& problem) {
   }
 }
 
+/// Multigrid has no pivots for those who ask.
+SolverType read_solver(const Node& root) {
+  SolverType solver = SolverType::automatic;
+  for (const SolverType type : {SolverType::band, SolverType::cholmod, SolverType::multigrid})
+    if (root["solver"]["type"].is(name_of(type).c_str())) solver = type;
+  if (solver != SolverType::multigrid) return solver;
+  for (const char* diagnostic : {"condition_estimate", "cut_fractions"})
+    if (const Node asked = root["diagnostics"][diagnostic]; asked.as<bool>())
+      asked.place.fail(
+          "found true, expected false with \"multigrid\" in /solver/type: it needs the factors of another method");
+  return solver;
+}
+
 /// What load steps need beside grid, outline and points.
 void read_load_steps(const Node& root, const Constants& constants, Case& problem) {
   problem.plane = root["analysis"]["plane"].is("strain") ? Plane::strain : Plane::stress;
@@ -176,6 +189,7 @@ void read_load_steps(const Node& root, const Constants& constants, Case& problem
   problem.strain_energy = root["diagnostics"]["strain_energy"].as<bool>();
   problem.error_estimate = root["diagnostics"]["error_estimate"].as<bool>();
   problem.output.every = root["output"]["every"].as<int>();
+  problem.solver = read_solver(root);
 }
 
 Case case_of(const Node& root, const std::filesystem::path& file) {

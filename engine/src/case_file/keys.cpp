@@ -117,8 +117,15 @@ Schema tracking() {
              {}}};
 }
 
-Schema solver() {
-  return {Object{{key("threads", {Integer{0, 1024}}, otherwise(Case{}.threads), "", "0: all cores")}, {}}};
+Object solver() { return {{key("threads", {Integer{0, 1024}}, otherwise(Case{}.threads), "", "0: all cores")}, {}}; }
+Object solver_of_load_steps() {
+  Object keys = solver();
+  keys.keys.push_back(key("type", {Choice{{"auto", "band", "cholmod", "multigrid"}}}, otherwise(name_of(Case{}.solver)),
+                          "",
+                          "`band`: Cholesky of the band in grid order; `cholmod`: sparse Cholesky in a fill-reducing "
+                          "order; `multigrid`: conjugate gradients with algebraic multigrid, an optional component; "
+                          "`auto`: one of them by measured rules (docs/solvers.md)"));
+  return keys;
 }
 
 Key error_estimate() {
@@ -196,7 +203,7 @@ Object quasi_static_case() {
            "history of the material point or tracking point nearest to a place, or of the material there, saved at "
            "every step"),
        settings("tracking", tracking(), "how tracking points are kept"),
-       settings("solver", solver(), "how systems are solved"),
+       settings("solver", {solver_of_load_steps()}, "how systems are solved"),
        settings("diagnostics", diagnostics(), "measured only where asked for"),
        settings("output", output_of_load_steps(), "what is written")},
       {}};
@@ -231,7 +238,7 @@ Object dynamic_case() {
            "energies and momentum over time, and how often probes are recorded; without it, probes are at every step"),
        key("probes", list(probe(true), 1, 100000), optional, "",
            "history of the material point or tracking point nearest to a place"),
-       settings("solver", solver(), "how systems are solved"),
+       settings("solver", {solver()}, "how systems are solved"),
        settings("diagnostics", Schema{Object{{error_estimate()}, {}}}, "measured only where asked for"),
        settings("output", output_of_time_steps(), "what is written")},
       {}};
@@ -244,7 +251,7 @@ Object projection_case() {
            key("material_points", material_points(), optional, "",
                "points whose values are projected, with their volumes as weights; without them, the projection "
                "integrates over all cells"),
-           constants(), settings("solver", solver(), "how systems are solved"),
+           constants(), settings("solver", {solver()}, "how systems are solved"),
            settings("output", output_of_projection(), "what is written")},
           {}};
 }

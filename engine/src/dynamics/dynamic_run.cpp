@@ -14,6 +14,7 @@
 #include "shoreline/engine/dynamics.hpp"
 #include "shoreline/engine/error_norms.hpp"
 #include "shoreline/engine/failures.hpp"
+#include "shoreline/engine/linear_solver.hpp"
 #include "shoreline/engine/pictures.hpp"
 #include "shoreline/engine/progress.hpp"
 #include "shoreline/engine/results_writer.hpp"
@@ -90,6 +91,7 @@ Summary start(const Case& problem, const DynamicScene& scene, int threads) {
   name_basis(problem.grid, summary);
   summary.material_points = scene.body.points.size();
   summary.threads = threads;
+  summary.blas = blas_name();
   const ExplicitDynamics& settings = scene.settings;
   summary.dynamics = Summary::Dynamics{.law = scene.law->name(),
                                        .objective = scene.law->objective(),

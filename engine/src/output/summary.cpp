@@ -80,6 +80,12 @@ Json probe(const Probe& probe) {
   return json;
 }
 
+Json solver(const SolverUse& use) {
+  Json json = {{"type", name_of(use.type)}, {"unknowns", use.unknowns}, {"bytes", use.bytes}};
+  if (use.iterations) json["iterations"] = *use.iterations;
+  return json;
+}
+
 long long peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -175,7 +181,9 @@ void write_summary(const Summary& summary, const std::filesystem::path& folder) 
                {"material_points", summary.material_points},
                {"steps", summary.steps},
                {"threads", summary.threads},
-               {"version", version()}});
+               {"version", version()},
+               {"blas", summary.blas}});
+  if (summary.solver) json["solver"] = solver(*summary.solver);
   if (summary.errors) json["errors"] = error_norms(*summary.errors);
   if (summary.error_estimate) json["error_estimate"] = error_estimate(*summary.error_estimate);
   if (summary.projection_errors) json["errors"] = projection_errors(*summary.projection_errors);

@@ -17,7 +17,7 @@ enum class Work {
   weight_fits,         ///< cells whose points' weights were fitted to moments
   mass_matrices,       ///< mass matrices, lumped or not
   exact_values,        ///< places at which an exact solution was compared
-  factorisations,      ///< of matrices of any system
+  factorisations,      ///< of matrices of any system; of multigrid, new hierarchies
   analyses,            ///< orderings of the unknowns of a sparse matrix to limit its fill
   solves,              ///< pairs of triangular solutions, or runs of conjugate gradients
   allocations,         ///< on the heap in loops over points, where the program counts them (heap_allocations)

@@ -16,6 +16,7 @@
 #include "shoreline/engine/exact_solutions.hpp"
 #include "shoreline/engine/expression.hpp"
 #include "shoreline/engine/fill.hpp"
+#include "shoreline/engine/solver_choice.hpp"
 
 namespace shoreline {
 
@@ -144,6 +145,7 @@ struct Case {
   std::vector<Probe> probes;
   double respacing = 0.0;  ///< tracking points are re-spaced where chords differ by more than this factor; 0: never
   int threads = 0;         ///< 0: all cores
+  SolverType solver = SolverType::automatic;
   /// Measured where a case asks for them under `diagnostics`.
   bool condition_estimate = false, cut_fractions = false, strain_energy = false, error_estimate = false;
   Output output;

@@ -9,6 +9,7 @@
 #include "shoreline/engine/diagnostics.hpp"
 #include "shoreline/engine/results.hpp"
 #include "shoreline/engine/scene.hpp"
+#include "shoreline/engine/solver_choice.hpp"
 #include "shoreline/engine/weight_report.hpp"
 
 namespace shoreline {
@@ -32,15 +33,22 @@ struct RunRecord {
   long analyses = 0;
   /// Of the stress at the end, where asked for.
   std::optional<ErrorEstimate> error_estimate{};
+  std::optional<SolverUse> solver{};  ///< of the last step
 };
 
 struct QuasiStaticOptions {
   bool condition_estimate = false;
   bool cut_fractions = false;   ///< and what else tells where the system is weak
   bool error_estimate = false;  ///< of the stress at the end
+  SolverType solver = SolverType::automatic;
   /// Called with the number of a completed step, when points and curves have moved and can go on.
   std::function<void(int)> after_step = [](int) {};
 };
+
+/// Whether the options ask for what only factors tell: pivots, a condition estimate.
+[[nodiscard]] inline bool needs_factors(const QuasiStaticOptions& options) {
+  return options.condition_estimate || options.cut_fractions;
+}
 
 /// Runs all load steps of a scene: K Δd = f, one linear solution a step, (E.3); points, stresses and curves move after
 /// it.

@@ -12,6 +12,7 @@
 #include "shoreline/engine/diagnostics.hpp"
 #include "shoreline/engine/error_norms.hpp"
 #include "shoreline/engine/probes.hpp"
+#include "shoreline/engine/solver_choice.hpp"
 #include "shoreline/engine/weight_report.hpp"
 
 namespace shoreline {
@@ -76,6 +77,8 @@ struct Summary {
   Index material_points = 0;
   int steps = 0;
   int threads = 1;
+  std::string blas;                   ///< that the program ran on
+  std::optional<SolverUse> solver{};  ///< of the last load step; quasi-static alone
   struct Effect {
     std::string name;
     long calls = 0;

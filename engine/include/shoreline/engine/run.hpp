@@ -21,6 +21,11 @@ struct RunOptions {
 /// @throws OutputError       if the folder cannot be written
 Summary run(const Case& problem, const RunOptions& options);
 
+/// Checks that the solver that a case names is installed.
+///
+/// @throws CaseError with what is missing and how to get it
+void require_solver(const Case& problem);
+
 /// What a run of this case would build and what not, its sizes, and the memory that it would take; as text.
 ///
 /// @throws CaseError as run does
