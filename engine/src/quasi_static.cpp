@@ -203,7 +203,9 @@ void run_load_steps(Scene& scene, const QuasiStaticOptions& options, RunRecord& 
     try {
       run_step(scene, step, options, work, record);
       record.steps = step;
-      record_probes(scene, static_cast<double>(step) / scene.load_steps);
+      if (!scene.probes.empty())
+        timed_effect(record, "probes", "probes",
+                     [&] { record_probes(scene, static_cast<double>(step) / scene.load_steps); });
       record.phases.time("boundary", [&] {
         check_motion(scene);
         respace_pieces(scene, step, work.system.warnings, record.warnings);
