@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "../threads.hpp"
+#include "shoreline/bases/counters.hpp"
 #include "shoreline/engine/failures.hpp"
 
 namespace shoreline {
@@ -46,6 +47,7 @@ void MassMatrix::build_pattern() {
 
 void MassMatrix::assemble(const OccupiedElements& occupied, const Eigen::VectorXd& row_sum,
                           const std::vector<double>& blocks) {
+  count(Work::mass_matrices);
   row_sum_ = row_sum;
   diagonal_ = row_sum;
   ghost_ = nullptr;
