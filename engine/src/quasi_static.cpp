@@ -204,8 +204,7 @@ void run_load_steps(Scene& scene, const QuasiStaticOptions& options, RunRecord& 
       run_step(scene, step, options, work, record);
       record.steps = step;
       if (!scene.probes.empty())
-        timed_effect(record, "probes", "probes",
-                     [&] { record_probes(scene, static_cast<double>(step) / scene.load_steps); });
+        record.effects.time("probes", [&] { record_probes(scene, static_cast<double>(step) / scene.load_steps); });
       record.phases.time("boundary", [&] {
         check_motion(scene);
         respace_pieces(scene, step, work.system.warnings, record.warnings);

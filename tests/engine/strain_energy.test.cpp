@@ -66,6 +66,7 @@ Energies pressed(const Case::Grid& grid, double ghost, const test::CompressionSq
 
 TEST_CASE("strain energy of listed states is the sum of V σ:ε/2 with engineering shear", "[engine][strain_energy]") {
   MaterialPoints points = points_at(Eigen::Matrix2Xd::Zero(2, 2), Eigen::Vector2d(2.0, 3.0));
+  points.strain = Eigen::Matrix3Xd::Zero(3, 2);
   CHECK(strain_energy(points) == 0.0);
   points.stress.col(0) = Stress(4.0, 1.0, 2.0, 100.0);
   points.strain.col(0) = Vec3(0.5, -1.0, 0.25);

@@ -9,7 +9,7 @@ namespace shoreline {
 ///
 /// σ : ε has the three components in the plane: ε_zz is zero in plane strain, σ_zz in plane stress.
 ///
-/// @param points  with the volumes, or fitted weights, that the sums of the last load step had
+/// @param points  with strains, and the volumes, or fitted weights, that the sums of the last load step had
 [[nodiscard]] double strain_energy(const MaterialPoints& points);
 
 }  // namespace shoreline
