@@ -1,7 +1,7 @@
 """Tables of the benchmarks.
 
-    table.py PROGRAM [OPTIONS]    runs shoreline_bench with options of Google Benchmark, writes bench.json (or the file of
-                                  --benchmark_out) and prints what it holds
+    table.py PROGRAM [OPTIONS]    runs shoreline_bench with options of Google Benchmark, writes bench.json (or the file
+                                  of --benchmark_out) and prints what it holds
     table.py FILE.json            prints it
     table.py --compare A B        ratios of the times of B to those of A, for what both files hold
     table.py --memory SHORELINE   runs the program `shoreline` and prints the peak memory by point and by unknown
@@ -48,12 +48,13 @@ def value_of(part):
 
 
 def line(*cells):
-    print(" ".join(f"{c:>9}" if isinstance(c, str) else f"{c:9.2f}" if isinstance(c, float) else f"{c:9d}" for c in cells))
+    print(" ".join(f"{c:9.2f}" if isinstance(c, float) else f"{c:>9}" for c in cells))
 
 
 def print_bounds(rows):
     for (threads,), row in select(rows, "bounds"):
-        print(f"{threads}: {row['operations'] / 1e9:.1f}e9 scalar operations a second, {row['bytes'] / 1e9:.1f}e9 bytes a second")
+        operations, traffic = row["operations"] / 1e9, row["bytes"] / 1e9
+        print(f"{threads}: {operations:.1f}e9 scalar operations and {traffic:.1f}e9 bytes a second")
 
 
 def print_support(rows):
@@ -64,8 +65,8 @@ def print_support(rows):
         return
     print(f"\nnanoseconds a point\n{'basis':<18} {'locate':>9} {'evaluate':>9} {'sum':>9} {'/bilinear':>9}")
     for basis, c in costs.items():
-        total = sum(c.values())
-        print(f"{basis:<18} {c['locate']:9.1f} {c['evaluate']:9.1f} {total:9.1f} {total / sum(costs['bilinear'].values()):9.2f}")
+        total, ratio = sum(c.values()), sum(c.values()) / sum(costs["bilinear"].values())
+        print(f"{basis:<18} {c['locate']:9.1f} {c['evaluate']:9.1f} {total:9.1f} {ratio:9.2f}")
 
 
 def phases(row, step, names):
@@ -94,66 +95,77 @@ def print_load_steps(rows):
         if threads == 1:
             by_point = [1e9 * s / row["points"] for s in phases(row, 2, ["support", "assembly", "update"])]
             by_unknown = phases(row, 1, ["pattern", "analyse"]) + phases(row, 2, ["factorise", "solve"])
-            line(basis, int(row["points"]), int(row["unknowns"]), *by_point, *(1e9 * s / row["unknowns"] for s in by_unknown))
+            line(basis, int(row["points"]), int(row["unknowns"]), *by_point,
+                 *(1e9 * s / row["unknowns"] for s in by_unknown))
 
 
 def print_finite_elements(rows):
     elements = {row["cells"]: row for _, row in select(rows, "finite_elements")}
-    if not elements:
+    ours = {row["cells"]: row for basis, threads, row in reversed(load_steps(rows))
+            if (basis, threads) == ("bilinear", 1) and row["points"] < 17 * row["cells"]}
+    shared = [cells for cells in elements if cells in ours]
+    if not shared:
         return
-    print("\nassembly, one thread, microseconds a cell in step 2: plain finite elements, 4 Gauss points; material points, 16 a cell")
-    line("cells", "elements", "scatter", "sum", "points", "ratio", "pattern")
-    for cells, row in elements.items():
-        plain, scatter = (1e6 * s / cells for s in phases(row, 2, ["elements", "scatter"]))
-        pattern = 1e6 * row["step1_pattern"] / cells
-        ours = [r for b, t, r in load_steps(rows) if (b, t, r["cells"]) == ("bilinear", 1, cells) and r["points"] < 17 * cells]
-        if ours:
-            material = 1e6 * sum(phases(ours[0], 2, ["support", "assembly"])) / cells
-            line(int(cells), plain, scatter, plain + scatter, material, material / (plain + scatter), pattern)
+    print("\nassembly, one thread, step 2, microseconds a cell: finite elements with 4 Gauss points (elements,")
+    print("scatter), 16 material points a cell (support, assembly)")
+    line("cells", "elements", "scatter", "support", "assembly", "ratio")
+    for cells in shared:
+        plain = phases(elements[cells], 2, ["elements", "scatter"])
+        material = phases(ours[cells], 2, ["support", "assembly"])
+        line(int(cells), *(1e6 * s / cells for s in plain + material), sum(material) / sum(plain))
 
 
 def own_seconds(row):
     return sum(phases(row, 2, OURS))
 
 
-def slope(x, y):
-    return statistics.linear_regression([math.log(v) for v in x], [math.log(v) for v in y])
-
-
 def print_exponents(rows):
     """Of cost in points, at fixed unknowns and with 16 points a cell."""
-    for wanted, what in [("fixed_unknowns", "at fixed unknowns"), ("points:", "at 16 points a cell")]:
+    for sizes, what in [("fixed_unknowns", "at fixed unknowns"), ("points:", "at 16 points a cell")]:
         found = [(row["points"], own_seconds(row), row["time"]) for parts, row in select(rows, "load_step")
-                 if parts[0] == "bilinear" and parts[1].startswith(wanted) and value_of(parts[-1]) == 1]
-        for (n, own, all_), (m, own_next, all_next) in zip(found, found[1:]):
-            print(f"exponent in points {what}, {n:.3g} to {m:.3g}: {math.log(own_next / own) / math.log(m / n):.3f} without the solver, "
-                  f"{math.log(all_next / all_) / math.log(m / n):.3f} of the step")
+                 if parts[0] == "bilinear" and parts[1].startswith(sizes) and value_of(parts[-1]) == 1]
+        for low, high in zip(found, found[1:]):
+            points, own, step = (math.log(b / a) for a, b in zip(low, high))
+            print(f"exponent in points {what}, {low[0]:.3g} to {high[0]:.3g}: {own / points:.3f} without the solver, "
+                  f"{step / points:.3f} of the step")
+
+
+def fit_two(p, q):
+    """a and b for which a p + b q is nearest to one."""
+    pp, pq, qq = (sum(x * y for x, y in zip(*pair)) for pair in [(p, p), (p, q), (q, q)])
+    determinant = pp * qq - pq * pq
+    return (sum(p) * qq - sum(q) * pq) / determinant, (sum(q) * pp - sum(p) * pq) / determinant
+
+
+def power_law(rows, value):
+    """c and e of value = c unknowns^e."""
+    law = statistics.linear_regression(*([math.log(v(row)) for row in rows] for v in (lambda r: r["unknowns"], value)))
+    return math.exp(law.intercept), law.slope
 
 
 def print_model(rows):
-    """Fits seconds = a points + b cells + c unknowns^e + d unknowns^f on one thread, relative errors weighed alike."""
-    fit = [row for basis, threads, row in load_steps(rows) if (basis, threads) == ("bilinear", 1) and row["points"] > 5e4]
+    """Fits what a step on one thread costs, and says what that means for 1e8 points."""
+    fit = [row for basis, threads, row in load_steps(rows)
+           if (basis, threads) == ("bilinear", 1) and row["points"] > 5e4]
     large = [row for row in fit if row["unknowns"] > 5e4]
-    if len(large) < 3 or len({row["points"] / row["cells"] // 10 for row in fit}) < 2:
+    if len(large) < 3 or max(row["points"] / row["cells"] for row in fit) < 100:
         return
-    p, q = ([row[key] / own_seconds(row) for row in fit] for key in ("points", "cells"))
-    pp, pq, qq = (sum(map(float.__mul__, x, y)) for x, y in [(p, p), (p, q), (q, q)])
-    det = pp * qq - pq * pq
-    a, b = (sum(p) * qq - sum(q) * pq) / det, (sum(q) * pp - sum(p) * pq) / det
-    size = [row["unknowns"] for row in large]
-    laws = [slope(size, [phases(row, 2, [phase])[0] for row in large]) for phase in ("factorise", "solve")]
-    memory = slope(size, [row["factor_bytes"] for row in large])
-    worst = max(abs(1 - (a * row["points"] + b * row["cells"]) / own_seconds(row)) for row in fit)
-    print(f"\nseconds of a step that reuses pattern and analysis, bilinear, one thread:\n"
-          f"  {a * 1e9:.1f}e-9 points + {b * 1e9:.0f}e-9 cells (off by at most {100 * worst:.0f} %)")
-    for name, law in zip(("factorise", "solve"), laws):
-        print(f"  + {math.exp(law.intercept):.2e} unknowns^{law.slope:.2f} ({name})")
-    print(f"bytes of the factor: {math.exp(memory.intercept):.0f} unknowns^{memory.slope:.2f}")
+    a, b = fit_two(*([row[key] / own_seconds(row) for row in fit] for key in ("points", "cells")))
+    off = max(abs((a * row["points"] + b * row["cells"]) / own_seconds(row) - 1) for row in fit)
+    laws = {name: power_law(large, value) for name, value in
+            [("factorise", lambda r: r["step2_factorise"]), ("solve", lambda r: r["step2_solve"]),
+             ("factor", lambda r: r["factor_bytes"])]}
+    print("\nseconds of a step that reuses pattern and analysis, bilinear, one thread:")
+    print(f"  {a * 1e9:.1f}e-9 points + {b * 1e9:.0f}e-9 cells (off by at most {100 * off:.0f} %)")
+    for name in ("factorise", "solve"):
+        print(f"  + {laws[name][0]:.2e} unknowns^{laws[name][1]:.2f} ({name})")
+    print(f"bytes of the factor: {laws['factor'][0]:.0f} unknowns^{laws['factor'][1]:.2f}")
     for per_cell in (16, 160, 1600):
-        cells = 1e8 / per_cell
-        solver = [math.exp(law.intercept) * (2 * cells) ** law.slope for law in laws]
-        print(f"1e8 points, {per_cell} a cell, {2 * cells:.3g} unknowns: points {a * 1e8 + b * cells:.1f} s, factorise {solver[0]:.1f} s, "
-              f"solve {solver[1]:.1f} s, factor {1e-9 * math.exp(memory.intercept) * (2 * cells) ** memory.slope:.1f} GB")
+        unknowns = 2e8 / per_cell
+        factorise, solve, factor = (c * unknowns**e for c, e in laws.values())
+        own = a * 1e8 + b * unknowns / 2
+        print(f"1e8 points, {per_cell} a cell, {unknowns:.3g} unknowns: all but the solver {own:.1f} s, "
+              f"factorise {factorise:.1f} s, solve {solve:.1f} s, factor {factor * 1e-9:.1f} GB")
 
 
 def print_solvers(rows):
@@ -170,21 +182,25 @@ def print_explicit(rows):
     found = select(rows, "explicit_step")
     if not found:
         return
-    print(f"\nexplicit steps\n{'basis':<12} {'mass':<13} {'points':>7} {'threads':>7} {'M/s':>7} {'best':>7} {'speedup':>7} {'/scalar':>7} {'/triad':>7} {'cg':>6}  "
-          + " ".join(f"{phase:>5.5}" for phase in EXPLICIT))
+    columns = " ".join(f"{name:>7}" for name in ["points", "threads", "M/s", "best", "speedup", "/scalar", "/triad"])
+    phase_names = " ".join(f"{phase:>5.5}" for phase in EXPLICIT)
+    print(f"\nexplicit steps\n{'basis':<12} {'mass':<13} {columns} {'cg':>6}  {phase_names}")
     for (basis, mass, threads), row in found:
         one = rows.get(f"explicit_step/{basis}/{mass}/threads:1", row)
         spent = [row.get("phase_" + phase, 0.0) for phase in EXPLICIT]
-        print(f"{basis:<12} {mass:<13} {row['points']:7.0f} {value_of(threads):7d} {1e-6 * row['points'] / row['time']:7.2f} "
-              f"{1e-6 * row['points'] / row['best']:7.2f} {one['time'] / row['time']:7.2f} {row['/scalar']:7.2f} {row['/triad']:7.2f} "
-              f"{row['cg']:6.1f}  " + " ".join(f"{100 * s / sum(spent):4.0f}%" for s in spent))
+        rates = [1e-6 * row["points"] / row[key] for key in ("time", "best")]
+        ratios = [one["time"] / row["time"], row["/scalar"], row["/triad"]]
+        print(f"{basis:<12} {mass:<13} {row['points']:7.0f} {value_of(threads):7d} "
+              + " ".join(f"{v:7.2f}" for v in rates + ratios) + f" {row['cg']:6.1f}  "
+              + " ".join(f"{100 * s / sum(spent):4.0f}%" for s in spent))
 
 
 def compare(before, after):
     """Times and seconds by phase of the second file over those of the first."""
-    for name in before.keys() & after.keys():
+    for name in (n for n in before if n in after):
         a, b = before[name], after[name]
-        keys = ["time"] + [k for k in a if re.match("step|phase_", k) and "passes" not in k and a[k] > 1e-4 and b.get(k, 0) > 0]
+        phase_keys = [k for k in a if re.match("step|phase_", k) and not k.endswith("passes")]
+        keys = ["time"] + [k for k in phase_keys if a[k] > 1e-4 and b.get(k, 0) > 0]
         print(f"{name}: " + ", ".join(f"{key} {b[key] / a[key]:.2f}" for key in keys))
 
 
@@ -196,13 +212,14 @@ def peak_memory(shoreline, cells, per_cell):
     case = {"title": "memory", "analysis": {"type": "quasi_static", "plane": "strain", "load_steps": 2},
             "material": {"type": "linear_elastic", "youngs_modulus": 1e6, "poissons_ratio": 0.25},
             "grid": {"lower": [0, 0], "upper": [1, 1], "cell_size": 1 / cells}, "solver": {"type": "cholmod"},
-            "boundaries": [{"name": f"side{k}", "points": corners[k:k + 2], "condition": conditions[k]} for k in range(4)],
+            "boundaries": [{"name": f"side{k}", "points": corners[k:k + 2], "condition": condition}
+                           for k, condition in enumerate(conditions)],
             "material_points": {"per_cell": [per_cell, per_cell]}, "output": {"pictures": False, "every": 2}}
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "case.json")
         with open(path, "w", encoding="utf-8") as file:
             json.dump(case, file)
-        child = subprocess.Popen([shoreline, "run", path, "--output", folder, "--quiet"])
+        child = subprocess.Popen([shoreline, "run", path, "--output", folder, "--quiet"], stdout=subprocess.DEVNULL)
         _, status, usage = os.wait4(child.pid, 0)
         if status:
             sys.exit("the run failed")
@@ -218,15 +235,15 @@ def print_memory(shoreline):
     (p, _, m), (q, _, n) = runs[79, 13], runs[79, 40]
     point = (n - m) / (q - p)
     (p, u, m), (q, v, n) = runs[250, 4], runs[500, 4]
-    print(f"{point:.0f} bytes a point at fixed unknowns; at 16 points a cell, {(n - m - point * (q - p)) / (v - u):.0f} bytes an unknown "
-          f"besides, with CHOLMOD's factor")
+    print(f"{point:.0f} bytes a point at fixed unknowns; at 16 points a cell "
+          f"{(n - m - point * (q - p)) / (v - u):.0f} bytes an unknown besides, with CHOLMOD's factor")
 
 
 def run(program, options):
     out = next((o.split("=", 1)[1] for o in options if o.startswith("--benchmark_out=")), "bench.json")
     environment = {"OMP_WAIT_POLICY": "passive", "OPENBLAS_THREAD_TIMEOUT": "4", **os.environ}
-    subprocess.run([program, *options, f"--benchmark_out={out}", "--benchmark_out_format=json"], check=True,
-                   stdout=subprocess.DEVNULL, env=environment)
+    command = [program, *options, f"--benchmark_out={out}"]
+    subprocess.run(command, check=True, stdout=subprocess.DEVNULL, env=environment)
     return out
 
 
