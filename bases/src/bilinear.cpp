@@ -10,7 +10,8 @@ ShortIndices BilinearBasis::functions_of(Index cell) const {
 }
 
 template <class Point, class Number>
-void BilinearBasis::evaluate_all(Index cell, std::span<const Point> x, Number* value, Number* gradient) const {
+SHORELINE_INLINE void BilinearBasis::evaluate_all(Index cell, std::span<const Point> x, Number* value,
+                                                  Number* gradient) const {
   const Vec2 corner = grid_.corner(cell);
   const Vec2 inverse = grid_.spacing().cwiseInverse();
   for (const Point& point : x) {
@@ -38,8 +39,13 @@ void BilinearBasis::evaluate(Index cell, std::span<const Vec2> x, double* value,
   evaluate_all(cell, x, value, gradient);
 }
 
-void BilinearBasis::evaluate(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const {
+SHORELINE_CLONES void BilinearBasis::evaluate_lanes(Index cell, std::span<const LanePoint> x, Lanes* value,
+                                                    Lanes* gradient) const {
   evaluate_all(cell, x, value, gradient);
+}
+
+void BilinearBasis::evaluate(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const {
+  evaluate_lanes(cell, x, value, gradient);
 }
 
 ShortCurvatures BilinearBasis::curvatures(Index /*cell*/, const Vec2& /*x*/) const {

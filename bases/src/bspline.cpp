@@ -4,7 +4,6 @@
 #include <array>
 #include <string>
 
-#include "lanes.hpp"
 #include "shoreline/bases/error.hpp"
 
 namespace shoreline {
@@ -37,11 +36,12 @@ struct Splines {
 /// Horner's scheme.
 /// @param c  coefficient (function, power of ξ)
 template <int P, class Number>
-Splines<P, Number> splines(const Eigen::Map<const Eigen::Matrix<double, P + 1, P + 1>>& c, const Number& xi) {
+SHORELINE_INLINE Splines<P, Number> splines(const Eigen::Map<const Eigen::Matrix<double, P + 1, P + 1>>& c,
+                                            const Number& xi) {
   Splines<P, Number> at_xi;
   for (int a = 0; a <= P; ++a) {
     Number f = c(a, P) * xi + c(a, P - 1);
-    auto d = uniform<Number>(c(a, P));
+    auto d = Number(c(a, P));
     for (int k = P - 2; k >= 0; --k) {
       d = d * xi + f;
       f = f * xi + c(a, k);
@@ -108,7 +108,8 @@ Vec2 BSplineBasis::control_point(Index function) const {
 }
 
 template <int P, class Point, class Number>
-void BSplineBasis::evaluate_degree(Index cell, std::span<const Point> x, Number* value, Number* gradient) const {
+SHORELINE_INLINE void BSplineBasis::evaluate_degree(Index cell, std::span<const Point> x, Number* value,
+                                                    Number* gradient) const {
   using Coefficients = Eigen::Matrix<double, P + 1, P + 1>;
   const Eigen::Map<const Coefficients> column(column_[at(cell % grid_.columns())].data());
   const Eigen::Map<const Coefficients> row(row_[at(cell / grid_.columns())].data());
@@ -132,7 +133,8 @@ void BSplineBasis::evaluate_degree(Index cell, std::span<const Point> x, Number*
 }
 
 template <class Point, class Number>
-void BSplineBasis::evaluate_all(Index cell, std::span<const Point> x, Number* value, Number* gradient) const {
+SHORELINE_INLINE void BSplineBasis::evaluate_all(Index cell, std::span<const Point> x, Number* value,
+                                                 Number* gradient) const {
   switch (degree_) {
     case 1:
       return evaluate_degree<1>(cell, x, value, gradient);
@@ -147,8 +149,13 @@ void BSplineBasis::evaluate(Index cell, std::span<const Vec2> x, double* value, 
   evaluate_all(cell, x, value, gradient);
 }
 
-void BSplineBasis::evaluate(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const {
+SHORELINE_CLONES void BSplineBasis::evaluate_lanes(Index cell, std::span<const LanePoint> x, Lanes* value,
+                                                   Lanes* gradient) const {
   evaluate_all(cell, x, value, gradient);
+}
+
+void BSplineBasis::evaluate(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const {
+  evaluate_lanes(cell, x, value, gradient);
 }
 
 ShortCurvatures BSplineBasis::curvatures(Index cell, const Vec2& x) const {

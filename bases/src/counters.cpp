@@ -22,6 +22,8 @@ Tallies& tallies() {
   return all;
 }
 
+long (*allocations_of_program)() = nullptr;
+
 Tally& new_tally() {
   Tallies& all = tallies();
   const std::lock_guard lock(all.mutex);
@@ -43,6 +45,10 @@ void count(Work work, long times) {
   std::atomic<long>& number = own[static_cast<std::size_t>(work)];
   number.store(number.load(std::memory_order_relaxed) + times, std::memory_order_relaxed);
 }
+
+void count_allocations_by(long (*allocations)()) { allocations_of_program = allocations; }
+
+long heap_allocations() { return allocations_of_program == nullptr ? 0 : allocations_of_program(); }
 
 Counts counted() {
   Tallies& all = tallies();

@@ -1,7 +1,5 @@
 #include "shoreline/bases/linear_triangle.hpp"
 
-#include "lanes.hpp"
-
 namespace shoreline {
 
 ShortIndices LinearTriangleBasis::functions_of(Index cell) const {
@@ -13,7 +11,8 @@ Vec2 LinearTriangleBasis::control_point(Index function) const {
 }
 
 template <class Point, class Number>
-void LinearTriangleBasis::evaluate_all(Index cell, std::span<const Point> x, Number* value, Number* gradient) const {
+SHORELINE_INLINE void LinearTriangleBasis::evaluate_all(Index cell, std::span<const Point> x, Number* value,
+                                                        Number* gradient) const {
   const auto [a, b, c] = corners(grid_.mesh(), cell);
   const double inverse = 1.0 / twice_area(a, b, c);
   const double gradients[6] = {inverse * (b.y() - c.y()), inverse * (c.x() - b.x()), inverse * (c.y() - a.y()),
@@ -27,7 +26,7 @@ void LinearTriangleBasis::evaluate_all(Index cell, std::span<const Point> x, Num
     *value++ = r;
     *value++ = s;
     if (gradient == nullptr) continue;
-    for (const double g : gradients) *gradient++ = uniform<Number>(g);
+    for (const double g : gradients) *gradient++ = Number(g);
   }
 }
 
@@ -35,8 +34,13 @@ void LinearTriangleBasis::evaluate(Index cell, std::span<const Vec2> x, double* 
   evaluate_all(cell, x, value, gradient);
 }
 
-void LinearTriangleBasis::evaluate(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const {
+SHORELINE_CLONES void LinearTriangleBasis::evaluate_lanes(Index cell, std::span<const LanePoint> x, Lanes* value,
+                                                          Lanes* gradient) const {
   evaluate_all(cell, x, value, gradient);
+}
+
+void LinearTriangleBasis::evaluate(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const {
+  evaluate_lanes(cell, x, value, gradient);
 }
 
 ShortCurvatures LinearTriangleBasis::curvatures(Index /*cell*/, const Vec2& /*x*/) const {

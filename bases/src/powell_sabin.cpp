@@ -1,7 +1,6 @@
 #include "shoreline/bases/powell_sabin.hpp"
 
 #include "control_triangles.hpp"
-#include "lanes.hpp"
 #include "shoreline/bases/powell_sabin_refinement.hpp"
 
 namespace shoreline {
@@ -72,7 +71,8 @@ Vec2 PowellSabinBasis::control_point(Index function) const {
 }
 
 template <class Point, class Number>
-void PowellSabinBasis::evaluate_all(Index cell, std::span<const Point> x, Number* value, Number* gradient) const {
+SHORELINE_INLINE void PowellSabinBasis::evaluate_all(Index cell, std::span<const Point> x, Number* value,
+                                                     Number* gradient) const {
   const Piece& piece = piece_[at(cell)];
   const double li = piece.lambda_i;
   const double lj = piece.lambda_j;
@@ -96,8 +96,7 @@ void PowellSabinBasis::evaluate_all(Index cell, std::span<const Point> x, Number
     if (gradient == nullptr) continue;
     const Number fr[5] = {-2 * v, 2 * (v - r + li * r), 2 * (li - 1) * s, 2 * r, 2 * lj * s};
     const Number fs[6] = {
-        -2 * v, -2 * r, 2 * (v - s + li * r + piece.a_i * s), uniform<Number>(0.0), 2 * (lj * r + piece.a_j * s),
-        2 * s};
+        -2 * v, -2 * r, 2 * (v - s + li * r + piece.a_i * s), Number(0.0), 2 * (lj * r + piece.a_j * s), 2 * s};
     for (Eigen::Index d = 0; d < 2; ++d) {
       Number g[6];
       for (int c = 0; c < 5; ++c) g[c] = fr[c] * piece.slope_r[d] + fs[c] * piece.slope_z[d];
@@ -117,8 +116,13 @@ void PowellSabinBasis::evaluate(Index cell, std::span<const Vec2> x, double* val
   evaluate_all(cell, x, value, gradient);
 }
 
-void PowellSabinBasis::evaluate(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const {
+SHORELINE_CLONES void PowellSabinBasis::evaluate_lanes(Index cell, std::span<const LanePoint> x, Lanes* value,
+                                                       Lanes* gradient) const {
   evaluate_all(cell, x, value, gradient);
+}
+
+void PowellSabinBasis::evaluate(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const {
+  evaluate_lanes(cell, x, value, gradient);
 }
 
 ShortCurvatures PowellSabinBasis::curvatures(Index cell, const Vec2& /*x*/) const {

@@ -13,6 +13,19 @@ constexpr std::int64_t max_cells = 1'000'000'000;
 
 std::string text(const Vec2& v) { return "(" + std::to_string(v.x()) + ", " + std::to_string(v.y()) + ")"; }
 
+/// Whether points lie in the cell at @p place, by the rounding of locate.
+SHORELINE_CLONES bool all_inside(std::span<const LanePoint> x, const Vec2& lower, const Vec2& spacing,
+                                 const std::array<Index, 2>& place) {
+  auto inside = Lanes{} == Lanes{};
+  for (const LanePoint& point : x)
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const auto d = static_cast<Eigen::Index>(axis);
+      const Lanes cells_from_lower = (point[axis] - lower[d]) / spacing[d];
+      inside &= (cells_from_lower >= 1.0 * place[axis]) & (cells_from_lower < place[axis] + 1.0);
+    }
+  return all_of(inside);
+}
+
 }  // namespace
 
 QuadrilateralGrid::QuadrilateralGrid(const Vec2& lower, const Vec2& spacing, const std::array<Index, 2>& cells)
@@ -44,6 +57,10 @@ std::optional<Index> QuadrilateralGrid::locate(const Vec2& x, Index /*hint*/) co
 
 void QuadrilateralGrid::locate_all(std::span<const Vec2> x, Index hint, Index* cell) const {
   for (const Vec2& place : x) *cell++ = locate(place, hint).value_or(-1);
+}
+
+bool QuadrilateralGrid::holds_all(Index cell, std::span<const LanePoint> x) const {
+  return all_inside(x, lower_, spacing_, {cell % count_[0], cell / count_[0]});
 }
 
 Vec2 QuadrilateralGrid::corner(Index cell) const { return {line(0, cell % count_[0]), line(1, cell / count_[0])}; }

@@ -16,6 +16,17 @@ bool holds(const std::array<Vec2, 3>& p, const Vec2& x, double least = 0.0) {
   return twice_area(p[0], p[1], x) >= least && twice_area(p[1], p[2], x) >= least && twice_area(p[2], p[0], x) >= least;
 }
 
+/// The same of many points, side by side.
+SHORELINE_CLONES bool all_inside(const std::array<Vec2, 3>& p, std::span<const LanePoint> x, double least) {
+  auto inside = Lanes{} == Lanes{};
+  for (const LanePoint& place : x)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec2 side = p[(k + 1) % 3] - p[k];
+      inside &= side.x() * (place[1] - p[k].y()) - side.y() * (place[0] - p[k].x()) >= least;
+    }
+  return all_of(inside);
+}
+
 double distance_to_segment(const Vec2& a, const Vec2& b, const Vec2& x) {
   const Vec2 edge = b - a;
   const double s = std::clamp(edge.dot(x - a) / edge.squaredNorm(), 0.0, 1.0);
@@ -170,10 +181,8 @@ std::optional<Index> TriangleGrid::locate(const Vec2& x, Index hint) const {
   return nearest;
 }
 
-void TriangleGrid::locate_all(std::span<const Vec2> x, Index hint, Index* cell) const {
-  const std::array<Vec2, 3> p = corners(mesh_, hint);
-  const double least = clear(hint);
-  for (const Vec2& place : x) *cell++ = holds(p, place, least) ? hint : locate(place, hint).value_or(-1);
+bool TriangleGrid::holds_all(Index cell, std::span<const LanePoint> x) const {
+  return all_inside(corners(mesh_, cell), x, clear(cell));
 }
 
 std::vector<Vec2> TriangleGrid::polygon(Index cell) const {

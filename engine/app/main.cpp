@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "case_file/nearest.hpp"
+#include "heap.hpp"
 #include "shoreline/engine/case_reader.hpp"
 #include "shoreline/engine/failures.hpp"
 #include "shoreline/engine/linear_solver.hpp"
@@ -53,6 +54,7 @@ void tell_blas() {
 }
 
 void run_case(const Arguments& arguments) {
+  shoreline::count_heap();
   const shoreline::Case problem = shoreline::read_case(arguments.file, overrides_of(arguments));
   if (!arguments.quiet) tell_blas();
   const std::filesystem::path output = output_of(arguments);

@@ -83,7 +83,9 @@ MaterialPoints fill_lattice(std::span<const SplineCurve> curves, const Quadrilat
   const CellMoments covered = cell_moments(curves, lattice, 1);
   if (fill.volumes == VolumeRule::clipped)
     return place_points(covered, [&](Eigen::Index k, Index cell) -> Placed {
+      constexpr double rounding = 1e-12;  // of a sub-cell: where the outline runs along its side
       const auto moment = covered.moment.col(k);
+      if (moment[0] <= rounding * lattice.spacing().prod()) return std::nullopt;
       return std::pair(Vec2(centre(lattice, cell) + moment.segment<2>(1) / moment[0]), moment[0]);
     });
   MaterialPoints points = place_points(covered, [&](Eigen::Index, Index cell) -> Placed {

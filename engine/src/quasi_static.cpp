@@ -13,6 +13,7 @@
 #include "passive_points.hpp"
 #include "prescribed.hpp"
 #include "respace_pieces.hpp"
+#include "shoreline/bases/counters.hpp"
 #include "shoreline/engine/failures.hpp"
 #include "step_system.hpp"
 #include "timed_effect.hpp"
@@ -120,8 +121,10 @@ std::string name_of_place(const Scene& scene, std::size_t k) {
 /// Finds where the body is on the grid: its points, its edges, and with them what the step evaluates.
 void locate_body(Scene& scene, Workspace& work, RunRecord& record) {
   Clock& clock = record.phases;
-  work.supports =
-      clock.time("support", [&] { return locate_points(*scene.basis, scene.points, std::move(work.supports)); });
+  work.supports = clock.time("support", [&] {
+    const CountedAllocations counted;
+    return locate_points(*scene.basis, scene.points, std::move(work.supports));
+  });
   clock.time("boundary", [&] { make_edges(scene, work, record); });
   if (scene.fitted)
     record.weights = timed_effect(record, "weights", "fitted_weights", [&] {
@@ -143,7 +146,10 @@ void locate_body(Scene& scene, Workspace& work, RunRecord& record) {
 /// Moves points and pieces by what the step found.
 void move_body(const StepMotion& motion, Workspace& work, Scene& scene, RunRecord& record) {
   record.phases.time("update", [&] {
-    move_points(motion, work.supports, scene.points);
+    {
+      const CountedAllocations counted;
+      move_points(motion, work.supports, scene.points);
+    }
     if (scene.geometry == Geometry::updated) return move_boundary(scene, work.edges, motion.increment);
     // pieces go from their start by all increments at once, as the edges do not follow them
     if (work.start.empty()) {
@@ -197,7 +203,9 @@ void run_load_steps(Scene& scene, const QuasiStaticOptions& options, RunRecord& 
     try {
       run_step(scene, step, options, work, record);
       record.steps = step;
-      record_probes(scene, static_cast<double>(step) / scene.load_steps);
+      if (!scene.probes.empty())
+        timed_effect(record, "probes", "probes",
+                     [&] { record_probes(scene, static_cast<double>(step) / scene.load_steps); });
       record.phases.time("boundary", [&] {
         check_motion(scene);
         respace_pieces(scene, step, work.system.warnings, record.warnings);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "diagnosis.hpp"
+#include "shoreline/bases/counters.hpp"
 #include "shoreline/engine/failures.hpp"
 #include "timed_effect.hpp"
 
@@ -166,6 +167,7 @@ Eigen::Matrix2Xd solve_step(const Scene& scene, const StepState& state, const st
                             const QuasiStaticOptions& options, StepSystem& system, RunRecord& record) {
   Clock& clock = record.phases;
   clock.time("assembly", [&] {
+    const CountedAllocations counted;
     system.blocks.clear();
     for (const auto& effect : scene.contributions)
       record.effects.time(effect->name(), [&] { effect->add(state, system.blocks); });

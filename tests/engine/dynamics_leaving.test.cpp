@@ -105,7 +105,8 @@ TEST_CASE("a run of time steps leaves its figures in the summary, and only what 
   CHECK(summary.history.empty());
   CHECK(summary.counters.at("mass_iterations") == 0);
   CHECK(summary.counters.at("critical_step_iterations") > 0);
-  REQUIRE(summary.effects.size() == 1);
+  REQUIRE(summary.effects.size() == 2);
   CHECK(summary.effects[0].name == "neo_hookean");
+  CHECK(summary.effects[1].name == "probes");
   CHECK(summary.probes.size() == 2);
 }

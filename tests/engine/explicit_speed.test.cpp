@@ -94,28 +94,52 @@ After slide(Case::BasisType basis, MassForm mass, int threads) {
 
 }  // namespace
 
-TEST_CASE("a basis at pairs of points is the basis at each of them, with gradients and without", "[engine][speed]") {
+TEST_CASE("a basis at four points side by side is the basis at each of them, with gradients and without",
+          "[engine][speed]") {
   for_swarms([](const Swarm& swarm, test::Random&) {
     const auto n = static_cast<std::size_t>(swarm.basis->functions_per_cell());
-    for (Index p = 0; p + 1 < swarm.points.size(); p += 2) {
+    for (Index p = 0; p + 3 < swarm.points.size(); p += 4) {
       const Index cell = swarm.cell[static_cast<std::size_t>(p)];
-      const std::array<Vec2, 2> x{swarm.points.position.col(p), swarm.points.position.col(p + 1)};
-      const std::array<LanePoint, 1> pair{LanePoint{Lanes(x[0].x(), x[1].x()), Lanes(x[0].y(), x[1].y())}};
-      std::vector<double> one(2 * n), slope(4 * n), alone(2 * n);
-      std::vector<Lanes> two(n), slopes(2 * n), without(n);
+      std::array<Vec2, lanes> x;
+      std::array<LanePoint, 1> four;
+      for (std::size_t l = 0; l < lanes; ++l) {
+        x[l] = swarm.points.position.col(p + static_cast<Index>(l));
+        four[0][0][l] = x[l].x();
+        four[0][1][l] = x[l].y();
+      }
+      std::vector<double> one(lanes * n), slope(lanes * 2 * n), alone(lanes * n);
+      std::vector<Lanes> value(n), gradient(2 * n), without(n);
       swarm.basis->evaluate(cell, x, one.data(), slope.data());
       swarm.basis->evaluate(cell, x, alone.data(), nullptr);
-      swarm.basis->evaluate(cell, pair, two.data(), slopes.data());
-      swarm.basis->evaluate(cell, pair, without.data(), nullptr);
+      swarm.basis->evaluate(cell, four, value.data(), gradient.data());
+      swarm.basis->evaluate(cell, four, without.data(), nullptr);
       CHECK(alone == one);
-      for (std::size_t lane = 0; lane < 2; ++lane) {
-        const auto l = static_cast<Eigen::Index>(lane);
+      for (std::size_t l = 0; l < lanes; ++l) {
         for (std::size_t a = 0; a < n; ++a) {
-          CHECK(std::abs(two[a][l] - one[lane * n + a]) <= 1e-14);
-          CHECK(without[a][l] == two[a][l]);
+          CHECK(std::abs(value[a][l] - one[l * n + a]) <= 1e-14);
+          CHECK(without[a][l] == value[a][l]);
         }
-        for (std::size_t a = 0; a < 2 * n; ++a) CHECK(std::abs(slopes[a][l] - slope[lane * 2 * n + a]) <= 1e-12);
+        for (std::size_t a = 0; a < 2 * n; ++a) CHECK(std::abs(gradient[a][l] - slope[l * 2 * n + a]) <= 1e-12);
       }
+    }
+  });
+}
+
+TEST_CASE("a grid holds points in a cell where it finds that cell for each of them", "[engine][speed]") {
+  for_swarms([](const Swarm& swarm, test::Random& random) {
+    const Grid& grid = swarm.basis->grid();
+    for (Index p = 0; p < swarm.points.size(); ++p) {
+      const Index cell = swarm.cell[static_cast<std::size_t>(p)];
+      std::array<LanePoint, 2> x;
+      bool each = true;
+      for (std::size_t k = 0; k < x.size() * lanes; ++k) {
+        const Vec2 near =
+            swarm.points.position.col(p) + 0.1 * grid.size(cell) * Vec2(random.in({-Vec2::Ones(), Vec2::Ones()}));
+        x[k / lanes][0][k % lanes] = near.x();
+        x[k / lanes][1][k % lanes] = near.y();
+        each = each && grid.locate(near, cell) == cell;
+      }
+      CHECK(grid.holds_all(cell, x) == each);
     }
   });
 }
@@ -187,22 +211,33 @@ TEST_CASE("points move by the field, and D by its gradient", "[engine][speed]") 
   });
 }
 
-TEST_CASE("a law updates many points as it does one", "[engine][speed]") {
+TEST_CASE("a law updates many points as it does one, by its own code and by that of every law", "[engine][speed]") {
   test::Random random(5);
   const auto matrix = [&] { return Mat2(Mat2::NullaryExpr([&] { return random.uniform(-0.1, 0.1); })); };
   for (const auto& law : {linear_large(1e4, 0.2), neo_hookean(1e4, 0.2), hypoelastic(1e4, 0.2)}) {
     INFO(law->name());
-    std::vector<Stress> stress, expected;
-    std::vector<Mat2> increment, deformation;
-    for (int k = 0; k < 17; ++k) {
-      stress.push_back(1e3 * Stress::Random());
-      increment.push_back(matrix());
-      deformation.push_back(Mat2::Identity() + matrix());
-      expected.push_back(law->updated(stress.back(), increment.back(), deformation.back()));
+    std::vector<LaneTensor> stress(5), increment(5), deformation(5);
+    std::vector<Stress> expected;
+    for (std::size_t k = 0; k < 5 * lanes; ++k) {
+      const Stress before = 1e3 * Stress::Random();
+      const Mat2 g = matrix();
+      const Mat2 d = Mat2::Identity() + matrix();
+      expected.push_back(law->updated(before, g, d));
+      for (std::size_t c = 0; c < 4; ++c) {
+        stress[k / lanes][c][k % lanes] = before[static_cast<Eigen::Index>(c)];
+        increment[k / lanes][c][k % lanes] = g.data()[c];
+        deformation[k / lanes][c][k % lanes] = d.data()[c];
+      }
     }
+    std::vector<LaneTensor> inherited = stress;
     law->update(stress, increment, deformation);
-    for (std::size_t k = 0; k < stress.size(); ++k)
-      CHECK((stress[k] - expected[k]).norm() <= 1e-15 * expected[k].norm());
+    law->LargeStrainMaterial::update(inherited, increment, deformation);
+    for (std::size_t k = 0; k < expected.size(); ++k)
+      for (std::size_t c = 0; c < 4; ++c) {
+        const double wanted = expected[k][static_cast<Eigen::Index>(c)];
+        CHECK(std::abs(stress[k / lanes][c][k % lanes] - wanted) <= 1e-15 * expected[k].norm());
+        CHECK(inherited[k / lanes][c][k % lanes] == wanted);
+      }
   }
 }
 

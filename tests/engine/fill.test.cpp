@@ -69,6 +69,20 @@ TEST_CASE("clipped volumes sum to the area of the body, and their centroid is th
   }
 }
 
+TEST_CASE("where the outline runs along sides of sub-cells, rounding leaves no points", "[engine][fill]") {
+  const QuadrilateralGrid grid(Vec2(0.0, 0.0), Vec2(0.01, 0.01), {125, 125});
+  for (const double start : {0.1, 0.07, 0.03}) {  // no binary fractions: lines and outline differ by rounding
+    const std::vector<Vec2> corner{
+        {start, start}, {start + 1.0, start}, {start + 1.0, start + 1.0}, {start, start + 1.0}};
+    std::vector<SplineCurve> curves;
+    for (std::size_t k = 0; k < 4; ++k)
+      curves.push_back(fit_spline({.name = "side", .points = {corner[k], corner[(k + 1) % 4]}}));
+    const MaterialPoints points = fill_lattice(curves, grid, {.per_cell = {3, 3}});
+    CHECK(points.size() == 90000);
+    CHECK(points.volume.minCoeff() > 0.99 * 1e-4 / 9.0);
+  }
+}
+
 TEST_CASE("each clipped point lies in its own sub-cell", "[engine][fill]") {
   test::Random random(2);
   for (int draw = 0; draw < 50; ++draw) {

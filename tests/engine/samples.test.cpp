@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "../../engine/src/move_points.hpp"
 #include "../../engine/src/passive_points.hpp"
 #include "../../engine/src/sample_points.hpp"
 #include "../../engine/src/threads.hpp"

@@ -145,7 +145,8 @@ class Stepping {
   void record_history(double dt) {
     const int every = scene_.history.value_or(1);
     if (record_.steps % every != 0) return;
-    if (record_.steps > 0) record_probes(scene_, record_.t, dt);
+    if (record_.steps > 0 && !scene_.body.probes.empty())
+      record_.effects.time("probes", [&] { record_probes(scene_, record_.t, dt); });
     if (!records_energies(record_.steps)) return;
     record_.phases.time("history", [&] {
       record_.history.push_back(energies(scene_, record_.t));

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "shoreline/bases/counters.hpp"
 #include "shoreline/engine/dynamics.hpp"
 
 namespace shoreline {
@@ -14,6 +15,7 @@ class ErrorsOverTime {
   void add(const DynamicScene& scene, double t, double dt) {
     const MaterialPoints& points = scene.body.points;
     const ExactSolution& exact = *scene.body.exact;
+    count(Work::exact_values, points.size());
     Eigen::Array3d plain = Eigen::Array3d::Zero();
     Eigen::Array3d weighted = Eigen::Array3d::Zero();
     for (Index p = 0; p < points.size(); ++p) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "../threads.hpp"
+#include "shoreline/bases/counters.hpp"
 #include "shoreline/engine/failures.hpp"
 
 namespace shoreline {
@@ -46,6 +47,7 @@ void MassMatrix::build_pattern() {
 
 void MassMatrix::assemble(const OccupiedElements& occupied, const Eigen::VectorXd& row_sum,
                           const std::vector<double>& blocks) {
+  count(Work::mass_matrices);
   row_sum_ = row_sum;
   diagonal_ = row_sum;
   ghost_ = nullptr;
@@ -147,6 +149,8 @@ void MassMatrix::iterate(const HeldComponents& held, const Eigen::Matrix2Xd& f, 
     inverse_(c.component, c.function) = 0.0;
   }
   inverse_ = inverse_.unaryExpr([](double d) { return d > 0.0 ? 1.0 / d : 0.0; });
+  for (Eigen::Index i = 0; i < f.cols(); ++i)  // exact, also where the mass is too small to show in the residual
+    if (lumped(static_cast<Index>(i))) x.col(i) = f.col(i).cwiseProduct(inverse_.col(i));
   x = (inverse_.array() > 0.0).select(x, 0.0);
   held.set(x, 1.0);
   residual_ = f - times(x);

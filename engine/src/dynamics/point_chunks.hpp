@@ -1,8 +1,9 @@
 #pragma once
-// Material points of one cell, two side by side, with the basis there; what the passes over the points are made of.
+// Material points of one cell, four side by side, with the basis there; what the passes over the points are made of.
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 #include <string>
 #include <type_traits>
 
@@ -11,46 +12,83 @@
 
 namespace shoreline {
 
-/// Two numbers of each of two points: from the points' order to that of lanes, or back.
-inline LanePoint transposed(const Lanes& a, const Lanes& b) {
-  Eigen::Array22d both;
-  both << a, b;
-  both.transposeInPlace();
-  return {both.col(0), both.col(1)};
-}
-
-/// Up to 16 points of one cell in pairs. Where their number is odd, the last one makes a pair with itself.
+/// Up to 16 points of one cell in fours. Where one lacks points, the last stands in for them: what is worked out for it
+/// is worked out alike, and may be stored again.
 template <int N>
 struct Chunk {
-  static constexpr Index most = 16;
-  static constexpr std::size_t most_pairs = most / 2;
+  static constexpr std::size_t most = 16;
+  static constexpr std::size_t most_groups = most / lanes;
+  using Points = std::array<std::size_t, lanes>;
 
   bool is_first;  ///< of its cell
-  Index count;
-  std::size_t pairs;
-  const Index* point;
-  std::array<LanePoint, most_pairs> x;
-  std::array<Lanes, most_pairs * N> value;         ///< value[q·N + a] of pair q
-  std::array<Lanes, most_pairs * 2 * N> gradient;  ///< gradient[q·2N + 2a + d] [1/m]
+  std::size_t count;
+  std::size_t groups;
+  std::array<Points, most_groups> point;
+  std::array<LanePoint, most_groups> x;
+  std::array<Lanes, most_groups * N> value;         ///< value[q·N + a] of group q
+  std::array<Lanes, most_groups * 2 * N> gradient;  ///< gradient[q·2N + 2a + d] [1/m]
 
-  [[nodiscard]] Index first(std::size_t q) const { return point[2 * q]; }
-  [[nodiscard]] Index second(std::size_t q) const { return point[2 * q + (is_whole(q) ? 1 : 0)]; }
-  /// Whether a pair is of two points.
-  [[nodiscard]] bool is_whole(std::size_t q) const { return static_cast<Index>(2 * q + 1) < count; }
-
-  /// A number of each of two points: entry @p k of a field with @p rows numbers a point.
-  [[nodiscard]] Lanes load(std::size_t q, const double* field, std::ptrdiff_t rows, std::ptrdiff_t k) const {
-    return {field[rows * first(q) + k], field[rows * second(q) + k]};
+  SHORELINE_INLINE void take(const Index* from, std::size_t number) {
+    count = number;
+    groups = (count + lanes - 1) / lanes;
+    for (std::size_t q = 0; q < groups; ++q)
+      for (std::size_t l = 0; l < lanes; ++l)
+        point[q][l] = static_cast<std::size_t>(from[std::min(q * lanes + l, count - 1)]);
   }
-  /// The same for entries k and k + 1.
-  [[nodiscard]] LanePoint load_two(std::size_t q, const double* field, std::ptrdiff_t rows, std::ptrdiff_t k) const {
-    return transposed(Eigen::Map<const Lanes>(field + rows * first(q) + k),
-                      Eigen::Map<const Lanes>(field + rows * second(q) + k));
+  /// Whether a lane is of a point, and of none that stands in.
+  [[nodiscard]] SHORELINE_INLINE bool is_point(std::size_t q, std::size_t lane) const {
+    return q * lanes + lane < count;
+  }
+
+  /// A number of each of four points.
+  [[nodiscard]] SHORELINE_INLINE Lanes load(std::size_t q, const double* field) const {
+    const Points& p = point[q];
+    return Lanes{field[p[0]], field[p[1]], field[p[2]], field[p[3]]};
   }
   /// The same of what is summed over points: zero where a point stands in.
-  [[nodiscard]] Lanes load_once(std::size_t q, const Eigen::VectorXd& field) const {
-    return {field[first(q)], is_whole(q) ? field[point[2 * q + 1]] : 0.0};
+  [[nodiscard]] SHORELINE_INLINE Lanes load_once(std::size_t q, const double* field) const {
+    const Points& p = point[q];
+    if ((q + 1) * lanes <= count) return load(q, field);
+    const auto once = [&](std::size_t l) { return is_point(q, l) ? field[p[l]] : 0.0; };
+    return Lanes{once(0), once(1), once(2), 0.0};
   }
+  SHORELINE_INLINE void store(std::size_t q, const Lanes& number, double* field) const {
+    for (std::size_t l = 0; l < lanes; ++l) field[point[q][l]] = number[l];
+  }
+
+  /// A vector of each of four points.
+  [[nodiscard]] SHORELINE_INLINE LanePoint load_two(std::size_t q, const double* field) const {
+    const auto of = [&](std::size_t l) SHORELINE_INLINED { return *two_at(field + 2 * point[q][l]); };
+    const auto even = __builtin_shufflevector(of(0), of(2), 0, 1, 2, 3);
+    const auto odd = __builtin_shufflevector(of(1), of(3), 0, 1, 2, 3);
+    return {__builtin_shufflevector(even, odd, 0, 4, 2, 6), __builtin_shufflevector(even, odd, 1, 5, 3, 7)};
+  }
+  SHORELINE_INLINE void store_two(std::size_t q, const LanePoint& vector, double* field) const {
+    const auto even = __builtin_shufflevector(vector[0].v, vector[1].v, 0, 4, 2, 6);
+    const auto odd = __builtin_shufflevector(vector[0].v, vector[1].v, 1, 5, 3, 7);
+    *two_at(field + 2 * point[q][0]) = __builtin_shufflevector(even, even, 0, 1);
+    *two_at(field + 2 * point[q][1]) = __builtin_shufflevector(odd, odd, 0, 1);
+    *two_at(field + 2 * point[q][2]) = __builtin_shufflevector(even, even, 2, 3);
+    *two_at(field + 2 * point[q][3]) = __builtin_shufflevector(odd, odd, 2, 3);
+  }
+
+  /// Four numbers of each of four points.
+  [[nodiscard]] SHORELINE_INLINE LaneTensor load_four(std::size_t q, const double* field) const {
+    const auto of = [&](std::size_t l) SHORELINE_INLINED { return Lanes(*lanes_at(field + 4 * point[q][l])); };
+    return transposed({of(0), of(1), of(2), of(3)});
+  }
+  SHORELINE_INLINE void store_four(std::size_t q, const LaneTensor& tensor, double* field) const {
+    const LaneTensor of = transposed(tensor);
+    *lanes_at(field + 4 * point[q][0]) = of[0].v;
+    *lanes_at(field + 4 * point[q][1]) = of[1].v;
+    *lanes_at(field + 4 * point[q][2]) = of[2].v;
+    *lanes_at(field + 4 * point[q][3]) = of[3].v;
+  }
+
+ private:
+  using Two = double __attribute__((vector_size(2 * sizeof(double)), aligned(sizeof(double)), may_alias));
+  SHORELINE_INLINE static const Two* two_at(const double* from) { return reinterpret_cast<const Two*>(from); }
+  SHORELINE_INLINE static Two* two_at(double* to) { return reinterpret_cast<Two*>(to); }
 };
 
 /// What a pass needs of the basis.
@@ -58,17 +96,18 @@ enum class Needs { values, gradients };
 
 /// Calls use(chunk) for all points of an occupied cell.
 template <int N, Needs needs, class Use>
-void for_chunks(const Basis& basis, const MaterialPoints& points, const PointSupports& cells, Index c, Use&& use) {
+SHORELINE_INLINE void for_chunks(const Basis& basis, const MaterialPoints& points, const PointSupports& cells, Index c,
+                                 Use&& use) {
   Chunk<N> chunk;
   const double* const position = points.position.data();
   const auto at = static_cast<std::size_t>(c);
-  for (Index begin = cells.first[at]; begin < cells.first[at + 1]; begin += Chunk<N>::most) {
-    chunk.is_first = begin == cells.first[at];
-    chunk.count = std::min(Chunk<N>::most, cells.first[at + 1] - begin);
-    chunk.pairs = static_cast<std::size_t>(chunk.count + 1) / 2;
-    chunk.point = &cells.point[static_cast<std::size_t>(begin)];
-    for (std::size_t q = 0; q < chunk.pairs; ++q) chunk.x[q] = chunk.load_two(q, position, 2, 0);
-    basis.evaluate(cells.cell[at], std::span<const LanePoint>(chunk.x.data(), chunk.pairs), chunk.value.data(),
+  const auto first = static_cast<std::size_t>(cells.first[at]);
+  const auto end = static_cast<std::size_t>(cells.first[at + 1]);
+  for (std::size_t begin = first; begin < end; begin += Chunk<N>::most) {
+    chunk.is_first = begin == first;
+    chunk.take(&cells.point[begin], std::min(Chunk<N>::most, end - begin));
+    for (std::size_t q = 0; q < chunk.groups; ++q) chunk.x[q] = chunk.load_two(q, position);
+    basis.evaluate(cells.cell[at], std::span<const LanePoint>(chunk.x.data(), chunk.groups), chunk.value.data(),
                    needs == Needs::gradients ? chunk.gradient.data() : nullptr);
     use(chunk);
   }
@@ -76,33 +115,29 @@ void for_chunks(const Basis& basis, const MaterialPoints& points, const PointSup
 
 /// Coefficients of the functions of a cell, in its order.
 template <int N>
-std::array<double, 2 * N> coefficients(const ElementTable& table, Index cell, const Eigen::Matrix2Xd& field) {
+SHORELINE_INLINE std::array<double, 2 * N> coefficients(const ElementTable& table, Index cell,
+                                                        const Eigen::Matrix2Xd& field) {
   std::array<double, 2 * N> local;
   const Index* const function = &table.function[static_cast<std::size_t>(cell / table.parts) * N];
-  const auto copy = [&](std::size_t a, Index f) {
-    const double* const from = field.data() + 2 * static_cast<std::ptrdiff_t>(f);
-    local[2 * a] = from[0];
-    local[2 * a + 1] = from[1];
-  };
-  if (table.parts == 1) {
-    for (std::size_t a = 0; a < N; ++a) copy(a, function[a]);
-    return local;
-  }
   const std::uint8_t* const place = table.place_of(cell);
-  for (std::size_t a = 0; a < N; ++a) copy(a, function[place[a]]);
+  for (std::size_t a = 0; a < N; ++a) {
+    const Index f = function[table.parts == 1 ? a : place[a]];
+    std::memcpy(&local[2 * a], field.data() + 2 * static_cast<std::ptrdiff_t>(f), 2 * sizeof(double));
+  }
   return local;
 }
 
-/// (∇v)_ij = Σ v_i ∂_j φ and v of a pair of points.
+/// (∇v)_ij = Σ v_i ∂_j φ and v of four points.
 struct FieldLanes {
   Lanes x, y;
   Lanes xx, xy, yx, yy;
 };
 
 template <int N>
-FieldLanes field_at(const Lanes* value, const Lanes* gradient, const std::array<double, 2 * N>& field) {
-  const Lanes zero = Lanes::Zero();
-  FieldLanes sum{zero, zero, zero, zero, zero, zero};
+SHORELINE_INLINE FieldLanes field_at(const Chunk<N>& chunk, std::size_t q, const std::array<double, 2 * N>& field) {
+  const Lanes* const value = &chunk.value[q * N];
+  const Lanes* const gradient = &chunk.gradient[q * 2 * N];
+  FieldLanes sum{};
   for (std::size_t a = 0; a < N; ++a) {
     const double fx = field[2 * a];
     const double fy = field[2 * a + 1];
@@ -116,9 +151,22 @@ FieldLanes field_at(const Lanes* value, const Lanes* gradient, const std::array<
   return sum;
 }
 
+/// Adds up (xx, yy, xy) times the gradients: the two components of each function.
+template <int N>
+SHORELINE_INLINE void add_divergence(const Chunk<N>& chunk, std::size_t q, const Lanes& xx, const Lanes& yy,
+                                     const Lanes& xy, std::size_t stride, Lanes* sum) {
+  const Lanes* const gradient = &chunk.gradient[q * 2 * N];
+  for (std::size_t a = 0; a < N; ++a) {
+    const Lanes& gx = gradient[2 * a];
+    const Lanes& gy = gradient[2 * a + 1];
+    sum[stride * a] += xx * gx + xy * gy;
+    sum[stride * a + 1] += xy * gx + yy * gy;
+  }
+}
+
 /// Calls use<N> with the number of functions of an element.
 template <class Use>
-void with_functions(int n, Use&& use) {
+SHORELINE_INLINE void with_functions(int n, Use&& use) {
   switch (n) {
     case 3:
       return use(std::integral_constant<int, 3>());
@@ -133,23 +181,22 @@ void with_functions(int n, Use&& use) {
   }
 }
 
-/// For every occupied element: calls use(e, c, sum) for its cells, which gives K numbers for each function of the cell,
-/// and adds them up in the element's block. To be called by all threads of a parallel region.
+/// For occupied elements begin … end − 1: calls use(e, c, sum) for their cells, which gives K numbers for each function
+/// of the cell, and adds them up in the element's block.
 template <int N, int K, class Use>
-void for_elements(const ElementTable& table, const PointCells& cells, std::vector<double>& blocks, Use&& use) {
+SHORELINE_INLINE void for_elements(const ElementTable& table, const PointCells& cells, Index begin, Index end,
+                                   std::vector<double>& blocks, Use&& use) {
   const auto& occupied = cells.occupied;
-#pragma omp for schedule(guided, 64)
-  for (Index e = 0; e < static_cast<Index>(occupied.element.size()); ++e) {
+  for (Index e = begin; e < end; ++e) {
     double* const block = &blocks[static_cast<std::size_t>(e) * N * K];
-    const Index begin = occupied.first_cell[static_cast<std::size_t>(e)];
-    const Index end = occupied.first_cell[static_cast<std::size_t>(e) + 1];
+    const Index first = occupied.first_cell[static_cast<std::size_t>(e)];
     if (table.parts == 1) {  // the one cell has its functions in the order of the element
-      use(e, begin, block);
+      use(e, first, block);
       continue;
     }
     std::fill(block, block + N * K, 0.0);
-    for (Index c = begin; c < end; ++c) {
-      std::array<double, N * K> sum;
+    for (Index c = first; c < occupied.first_cell[static_cast<std::size_t>(e) + 1]; ++c) {
+      std::array<double, N * K> sum{};
       use(e, c, sum.data());
       const std::uint8_t* const place = table.place_of(cells.supports.cell[static_cast<std::size_t>(c)]);
       for (std::size_t a = 0; a < N; ++a)
@@ -158,7 +205,13 @@ void for_elements(const ElementTable& table, const PointCells& cells, std::vecto
   }
 }
 
-/// Sets a sum, or adds to it where there is one already.
-inline void put_or_add(bool put, double number, double& sum) { sum = put ? number : sum + number; }
+/// Shares the numbers 0 … count − 1 among threads: calls use(begin, end). To be called by all threads of a parallel
+/// region.
+template <class Use>
+void for_ranges(Index count, Use&& use) {
+  constexpr Index most = 64;
+#pragma omp for schedule(guided)
+  for (Index r = 0; r < (count + most - 1) / most; ++r) use(r * most, std::min((r + 1) * most, count));
+}
 
 }  // namespace shoreline

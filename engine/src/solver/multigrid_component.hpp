@@ -8,7 +8,7 @@
 
 namespace shoreline {
 
-/// Conjugate gradients, preconditioned by algebraic multigrid, (L.7).
+/// Conjugate gradients, preconditioned by algebraic multigrid.
 /// @param unknowns  from which the rigid-body motions follow that the grids keep
 /// @throws InvalidArgument if the component is not installed
 [[nodiscard]] std::unique_ptr<Factors> make_multigrid_factors(const Unknowns& unknowns);

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "shoreline/bases/grid.hpp"
+#include "shoreline/bases/lanes.hpp"
 
 namespace shoreline {
 
@@ -16,11 +17,6 @@ using ShortIndices = Eigen::Matrix<Index, Eigen::Dynamic, 1, 0, max_support, 1>;
 using ShortVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_support, 1>;
 using ShortGradients = Eigen::Matrix<double, 2, Eigen::Dynamic, 0, 2, max_support>;
 using ShortCurvatures = Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, max_support>;
-
-/// One number of each of two points, on which processors work at once.
-using Lanes = Eigen::Array2d;
-/// x and y of two points.
-using LanePoint = std::array<Lanes, 2>;
 
 /// The functions that see one point, with the basis there; n functions, n <= max_support. Never on the heap.
 struct Support {
@@ -71,7 +67,7 @@ class Basis {
   /// @param gradient  (m · 2n), ∂x then ∂y of each function: gradient[q·2n + 2a + d] [1/m]; null: values alone
   virtual void evaluate(Index cell, std::span<const Vec2> x, double* value, double* gradient) const = 0;
 
-  /// The same at pairs of points, which takes little more time than one point of each.
+  /// The same at points side by side, which takes little more time than one of each four.
   virtual void evaluate(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const = 0;
 
   /// Second derivatives (∂xx, ∂yy, ∂xy) at one point by the polynomials of one cell [1/m²].

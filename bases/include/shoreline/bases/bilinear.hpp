@@ -27,6 +27,7 @@ class BilinearBasis final : public Basis {
  private:
   template <class Point, class Number>
   void evaluate_all(Index cell, std::span<const Point> x, Number* value, Number* gradient) const;
+  void evaluate_lanes(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const;
 
   QuadrilateralGrid grid_;
 };

@@ -38,6 +38,7 @@ class BSplineBasis final : public Basis {
   void evaluate_degree(Index cell, std::span<const Point> x, Number* value, Number* gradient) const;
   template <class Point, class Number>
   void evaluate_all(Index cell, std::span<const Point> x, Number* value, Number* gradient) const;
+  void evaluate_lanes(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const;
 
   QuadrilateralGrid grid_;
   int degree_;

@@ -20,7 +20,7 @@ enum class Work {
   factorisations,      ///< of matrices of any system; of multigrid, new hierarchies
   analyses,            ///< orderings of the unknowns of a sparse matrix to limit its fill
   solves,              ///< pairs of triangular solutions, or runs of conjugate gradients
-  allocations,         ///< on the heap in loops over points, where the program counts them (heap_allocations)
+  allocations,         ///< on the heap while points are located, summed and moved, if the program counts them
   count                ///< how many there are
 };
 
@@ -30,6 +30,25 @@ using Counts = std::array<long, static_cast<std::size_t>(Work::count)>;
 
 /// Adds to the count of this thread.
 void count(Work work, long times = 1);
+
+/// Names the function that tells how often the program has allocated memory so far. Without one, nothing is counted: a
+/// library cannot stand in for its program's heap.
+void count_allocations_by(long (*allocations)());
+
+/// So many there were; 0 where nothing counts them.
+[[nodiscard]] long heap_allocations();
+
+/// Counts the allocations while it lives.
+class CountedAllocations {
+ public:
+  CountedAllocations() : before_(heap_allocations()) {}
+  ~CountedAllocations() { count(Work::allocations, heap_allocations() - before_); }
+  CountedAllocations(const CountedAllocations&) = delete;
+  CountedAllocations& operator=(const CountedAllocations&) = delete;
+
+ private:
+  long before_;
+};
 
 /// Sums over all threads since the program began. Work of other threads that still run may be missing.
 [[nodiscard]] Counts counted();

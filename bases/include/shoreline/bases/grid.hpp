@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "shoreline/bases/lanes.hpp"
 #include "shoreline/bases/types.hpp"
 
 namespace shoreline {
@@ -57,6 +58,9 @@ class Grid {
   /// @param hint  a cell near the first
   /// @param cell  (m)
   virtual void locate_all(std::span<const Vec2> x, Index hint, Index* cell) const;
+
+  /// Whether locate finds @p cell for all of these points [m]. A grid may answer no where it cannot tell at once.
+  [[nodiscard]] virtual bool holds_all(Index /*cell*/, std::span<const LanePoint> /*x*/) const { return false; }
 
   /// Vertices of a cell, counter-clockwise [m].
   [[nodiscard]] virtual std::vector<Vec2> polygon(Index cell) const = 0;

@@ -46,6 +46,7 @@ class PowellSabinBasis final : public Basis {
   };
   template <class Point, class Number>
   void evaluate_all(Index cell, std::span<const Point> x, Number* value, Number* gradient) const;
+  void evaluate_lanes(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const;
   [[nodiscard]] Piece make_piece(const TriangleMesh& main, Index cell) const;
 
   TriangleGrid grid_;

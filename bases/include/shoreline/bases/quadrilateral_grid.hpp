@@ -21,6 +21,7 @@ class QuadrilateralGrid final : public Grid {
   [[nodiscard]] bool covers(const Box& box) const override;
   [[nodiscard]] std::optional<Index> locate(const Vec2& x, Index hint) const override;
   void locate_all(std::span<const Vec2> x, Index hint, Index* cell) const override;
+  [[nodiscard]] bool holds_all(Index cell, std::span<const LanePoint> x) const override;
   [[nodiscard]] std::vector<Vec2> polygon(Index cell) const override;
   [[nodiscard]] double size(Index cell) const override;
   [[nodiscard]] std::vector<Line> lines_near(const Box& box) const override;

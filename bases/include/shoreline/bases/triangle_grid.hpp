@@ -20,7 +20,7 @@ class TriangleGrid final : public Grid {
   [[nodiscard]] int parts() const override { return static_cast<int>(parts_); }
   [[nodiscard]] Box bounds() const override { return bounds_; }
   [[nodiscard]] std::optional<Index> locate(const Vec2& x, Index hint) const override;
-  void locate_all(std::span<const Vec2> x, Index hint, Index* cell) const override;
+  [[nodiscard]] bool holds_all(Index cell, std::span<const LanePoint> x) const override;
   [[nodiscard]] std::vector<Vec2> polygon(Index cell) const override;
   /// √(2 · area) of the main triangle [m].
   [[nodiscard]] double size(Index cell) const override { return size_[static_cast<std::size_t>(cell / parts_)]; }

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "shoreline/bases/lanes.hpp"
 #include "shoreline/engine/material.hpp"
 
 namespace shoreline {
@@ -22,12 +23,12 @@ class LargeStrainMaterial {
   /// @param deformation  deformation gradient D at the end of the step, its part out of plane being 1
   [[nodiscard]] virtual Stress updated(const Stress& stress, const Mat2& increment, const Mat2& deformation) const = 0;
 
-  /// Updates the stresses of many points; a law that overrides it saves a call for each.
-  /// @param stress       (m) in: at the start of the step; out: at its end
-  /// @param increment    (m) as above
-  /// @param deformation  (m) as above
-  virtual void update(std::span<Stress> stress, std::span<const Mat2> increment,
-                      std::span<const Mat2> deformation) const;
+  /// Updates the stresses of many points, side by side; a law that overrides it saves a call for each.
+  /// @param stress       (m), each as (xx, yy, xy, zz); in: at the start of the step; out: at its end
+  /// @param increment    (m), each as (xx, yx, xy, yy)
+  /// @param deformation  (m), likewise
+  virtual void update(std::span<LaneTensor> stress, std::span<const LaneTensor> increment,
+                      std::span<const LaneTensor> deformation) const;
 
   /// Energy stored per original volume, (M.6), (M.8), (M.11) [J/m³].
   [[nodiscard]] virtual double energy(const Stress& stress, const Mat2& deformation) const = 0;
