@@ -82,8 +82,9 @@ double run(const Kind& kind, MassForm mass, int threads, benchmark::UserCounters
   counters["points"] = scene.body.points.size();
   counters["best"] = *std::ranges::min_element(taken);
   counters["cg"] = static_cast<double>(record.mass_iterations - iterations) / steps;
-  counters["/scalar"] = rate * operations(kind) / bounds(threads).operations;
-  counters["/triad"] = rate * bytes_per_point / bounds(threads).bytes;
+  const Bounds most = bounds(threads);
+  counters["/scalar"] = rate * operations(kind) / most.operations;
+  counters["/triad"] = rate * bytes_per_point / most.bytes;
   return median(taken);
 }
 

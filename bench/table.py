@@ -20,6 +20,7 @@ import tempfile
 
 OURS = ["support", "boundary", "assembly", "pattern", "update"]
 SOLVER = ["analyse", "factorise", "solve"]
+BYTES_OF_POINT = 96  # state 72, order 4, place 16, cell 4
 EXPLICIT = ["boundary", "forces", "mass", "accelerate", "move", "cells"]
 
 
@@ -81,14 +82,17 @@ def load_steps(rows):
 def print_load_steps(rows):
     if not load_steps(rows):
         return
-    print("\nload steps, milliseconds")
+    triad = max(row["triad"] for _, _, row in load_steps(rows))
+    print(f"\nload steps, milliseconds; support and assembly also in passes of the triad ({triad / 1e9:.1f}e9 bytes a second)")
+    print(f"over all points, {BYTES_OF_POINT} bytes each")
     line("basis", "points", "unknowns", "threads", "step", *OURS, *SOLVER, "rest/fact", "passes")
     for basis, threads, row in load_steps(rows):
         for step in (1, 2):
             seconds = phases(row, step, OURS + SOLVER)
             factorise = phases(row, step, ["factorise"])[0]
             line(basis, int(row["points"]), int(row["unknowns"]), threads, step, *(1e3 * s for s in seconds),
-                 (sum(seconds) - factorise) / factorise, row[f"step{step}_passes"])
+                 (sum(seconds) - factorise) / factorise,
+                 sum(phases(row, step, ["support", "assembly"])) * triad / (BYTES_OF_POINT * row["points"]))
     print("\none thread, nanoseconds a point (step 2) and an unknown (pattern and analyse: step 1)")
     line("basis", "points", "unknowns", "support", "assembly", "update", "pattern", "analyse", "factorise", "solve")
     for basis, threads, row in load_steps(rows):
@@ -199,8 +203,7 @@ def compare(before, after):
     """Times and seconds by phase of the second file over those of the first."""
     for name in (n for n in before if n in after):
         a, b = before[name], after[name]
-        phase_keys = [k for k in a if re.match("step|phase_", k) and not k.endswith("passes")]
-        keys = ["time"] + [k for k in phase_keys if a[k] > 1e-4 and b.get(k, 0) > 0]
+        keys = ["time"] + [k for k in a if re.match("step|phase_", k) and a[k] > 1e-4 and b.get(k, 0) > 0]
         print(f"{name}: " + ", ".join(f"{key} {b[key] / a[key]:.2f}" for key in keys))
 
 
