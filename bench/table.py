@@ -83,8 +83,8 @@ def print_load_steps(rows):
     if not load_steps(rows):
         return
     triad = max(row["triad"] for _, _, row in load_steps(rows))
-    print(f"\nload steps, milliseconds; support and assembly also in passes of the triad ({triad / 1e9:.1f}e9 bytes a second)")
-    print(f"over all points, {BYTES_OF_POINT} bytes each")
+    print(f"\nload steps, milliseconds; passes: support and assembly, in triads over {BYTES_OF_POINT} bytes a point")
+    print(f"at {triad / 1e9:.1f}e9 bytes a second")
     line("basis", "points", "unknowns", "threads", "step", *OURS, *SOLVER, "rest/fact", "passes")
     for basis, threads, row in load_steps(rows):
         for step in (1, 2):
