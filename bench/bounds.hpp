@@ -3,12 +3,15 @@
 
 namespace shoreline::bench {
 
-/// Scalar floating-point operations a second, two to a multiply-add, on some threads at once: independent chains
-/// a ← a·b + c. The fastest of some repetitions.
-[[nodiscard]] double scalar_operations(int threads, int repetitions);
+struct Bounds {
+  /// Scalar floating-point operations a second, two to a multiply-add: independent chains a ← a·b + c.
+  double operations = 0.0;
+  /// Bytes a second of the triad a_i = b_i + s·c_i over arrays far beyond the cache. 32 bytes an entry are counted: two
+  /// numbers read, one written, and its cache line, which is read before it is written.
+  double bytes = 0.0;
+};
 
-/// Bytes a second of the triad a_i = b_i + s·c_i over arrays far beyond the cache. 32 bytes an entry are counted: two
-/// numbers read, one written, and its cache line, which is read before it is written. The fastest of some repetitions.
-[[nodiscard]] double triad_bandwidth(int threads, int repetitions);
+/// The fastest of nine repetitions on @p threads at once, and of all calls before: other programs only take from it.
+[[nodiscard]] Bounds bounds(int threads);
 
 }  // namespace shoreline::bench

@@ -1,35 +1,27 @@
-// What a basis costs at one material point: nanoseconds for the cell that holds it, and for values and gradients there.
-//
-//   shoreline_bench_support [repetitions]
-//
-// 64 x 64 unit squares, 16 points or a few more in each square or triangle, visited cell by cell as a load step does,
-// on one thread. Prints medians over the repetitions, and the ratio to the bilinear basis.
+// What a basis costs at one material point: the cell that holds it, and values and gradients there. 64 x 64 unit
+// squares, 16 points or a few more in each square or triangle, visited cell by cell as a load step does.
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <ctime>
 #include <memory>
-#include <string>
-#include <vector>
 
+#include "benchmarks.hpp"
 #include "shoreline/bases/bilinear.hpp"
 #include "shoreline/bases/bspline.hpp"
 #include "shoreline/bases/linear_triangle.hpp"
 #include "shoreline/bases/mesh_generators.hpp"
 #include "shoreline/bases/powell_sabin.hpp"
 
-using namespace shoreline;
-
+namespace shoreline::bench {
 namespace {
 
 constexpr Index squares = 64;  ///< a side
 constexpr int points_of_element = 16;
 
+using Points = std::vector<std::vector<Vec2>>;  ///< by cell
+
 /// Points of each cell, at fixed convex combinations of its corners.
-std::vector<std::vector<Vec2>> points_in_cells(const Grid& grid) {
+Points points_in_cells(const Grid& grid) {
   const int count = (points_of_element + grid.parts() - 1) / grid.parts();
-  std::vector<std::vector<Vec2>> points(static_cast<std::size_t>(grid.cells()));
+  Points points(static_cast<std::size_t>(grid.cells()));
   for (Index cell = 0; cell < grid.cells(); ++cell) {
     const std::vector<Vec2> corner = grid.polygon(cell);
     for (int k = 0; k < count; ++k) {
@@ -46,65 +38,45 @@ std::vector<std::vector<Vec2>> points_in_cells(const Grid& grid) {
   return points;
 }
 
-struct Cost {
-  double locate;    ///< [ns a point]
-  double evaluate;  ///< [ns a point]
-};
-
-/// Processor time, which other programs do not lengthen [ns].
-double now() { return 1e9 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
-double median(std::vector<double> values) {
-  std::ranges::nth_element(values, values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2));
-  return values[values.size() / 2];
+void locate(const Basis& basis, const Points& points) {
+  Index hint = 0;
+  for (const auto& cell : points)
+    for (const Vec2& x : cell) benchmark::DoNotOptimize(hint = basis.grid().locate(x, hint).value_or(0));
 }
 
-Cost measure(const Basis& basis, int repetitions) {
-  const std::vector<std::vector<Vec2>> points = points_in_cells(basis.grid());
+void evaluate(const Basis& basis, const Points& points) {
   const std::size_t most = points.front().size() * static_cast<std::size_t>(basis.functions_per_cell());
   std::vector<double> value(most);
   std::vector<double> gradient(2 * most);
-  const double count = static_cast<double>(points.size() * points.front().size());
-  std::vector<double> locate;
-  std::vector<double> evaluate;
-  double checksum = 0.0;
-  for (int r = 0; r < repetitions; ++r) {
-    double begin = now();
-    Index hint = 0;
-    for (const auto& cell : points)
-      for (const Vec2& x : cell) checksum += hint = basis.grid().locate(x, hint).value_or(0);
-    locate.push_back((now() - begin) / count);
-    begin = now();
-    for (std::size_t cell = 0; cell < points.size(); ++cell) {
-      basis.evaluate(static_cast<Index>(cell), points[cell], value.data(), gradient.data());
-      checksum += value[0] + gradient[1];
-    }
-    evaluate.push_back((now() - begin) / count);
+  for (std::size_t cell = 0; cell < points.size(); ++cell) {
+    basis.evaluate(static_cast<Index>(cell), points[cell], value.data(), gradient.data());
+    benchmark::DoNotOptimize(value.data());
+    benchmark::ClobberMemory();
   }
-  if (checksum == 0.5) fmt::print("\n");  // keeps the loops
-  return {median(locate), median(evaluate)};
+}
+
+void add_basis(const std::string& name, const std::shared_ptr<const Basis>& basis) {
+  for (const auto& [part, work] : {std::pair{"locate", &locate}, {"evaluate", &evaluate}})
+    benchmark::RegisterBenchmark(
+        ("support/" + name + "/" + part).c_str(), [basis, work = work](benchmark::State& state) {
+          const Points points = points_in_cells(basis->grid());
+          for ([[maybe_unused]] const auto _ : state) work(*basis, points);
+          state.counters["seconds_a_point"] =
+              benchmark::Counter(static_cast<double>(points.size() * points.front().size()),
+                                 benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+        });
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  const int repetitions = argc > 1 ? std::stoi(argv[1]) : 15;
+void register_support() {
   const QuadrilateralGrid grid(Vec2::Zero(), Vec2::Ones(), {squares, squares});
   const TriangleMesh mesh = triangulate(grid, TrianglePattern::diagonal);
-  std::vector<std::pair<std::string, std::unique_ptr<Basis>>> bases;
-  bases.emplace_back("bilinear", std::make_unique<BilinearBasis>(grid));
-  bases.emplace_back("linear", std::make_unique<LinearTriangleBasis>(mesh));
-  bases.emplace_back("powell_sabin", std::make_unique<PowellSabinBasis>(mesh));
+  add_basis("bilinear", std::make_shared<BilinearBasis>(grid));
+  add_basis("linear", std::make_shared<LinearTriangleBasis>(mesh));
+  add_basis("powell_sabin", std::make_shared<PowellSabinBasis>(mesh));
   for (const int degree : {1, 2, 3})
-    bases.emplace_back(fmt::format("bspline, degree {}", degree), std::make_unique<BSplineBasis>(grid, degree));
-
-  fmt::print("nanoseconds a point, medians of {} runs\n{:<18} {:>9} {:>9} {:>9} {:>9}\n", repetitions, "basis",
-             "locate", "evaluate", "sum", "/bilinear");
-  double bilinear = 0.0;
-  for (const auto& [name, basis] : bases) {
-    const Cost cost = measure(*basis, repetitions);
-    const double sum = cost.locate + cost.evaluate;
-    if (bilinear == 0.0) bilinear = sum;
-    fmt::print("{:<18} {:>9.1f} {:>9.1f} {:>9.1f} {:>9.2f}\n", name, cost.locate, cost.evaluate, sum, sum / bilinear);
-  }
+    add_basis("bspline" + std::to_string(degree), std::make_shared<BSplineBasis>(grid, degree));
 }
+
+}  // namespace shoreline::bench
