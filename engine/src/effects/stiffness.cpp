@@ -4,55 +4,16 @@
 
 #include "../linear_cell.hpp"
 #include "../threads.hpp"
+#include "gradient_products.hpp"
 #include "shoreline/bases/error.hpp"
 #include "shoreline/engine/effects.hpp"
 
 namespace shoreline {
 namespace {
 
-/// Σ V g gᵀ over some points of one cell, g = (∂x φ_1, ∂y φ_1, ∂x φ_2, …): all that a constant tangent needs to know.
-/// Lower half.
+/// A cell's block of the stiffness.
 template <int N>
-using GradientMoments = Eigen::Matrix<double, 2 * N, 2 * N>;
-
-template <int N>
-using Gradients = Eigen::Matrix<double, 2 * N, 1>;
-
-/// Adds a block of A rows and two columns of Σ V g gᵀ, whose sums stay in registers.
-/// @param g  (2N) gradients of point after point
-template <int A, int N>
-void add_tile(std::span<const double> volume, const double* g, Eigen::Index row, Eigen::Index column,
-              GradientMoments<N>& moments) {
-  double first[A];
-  double second[A];
-  for (int a = 0; a < A; ++a) {
-    first[a] = moments(row + a, column);
-    second[a] = moments(row + a, column + 1);
-  }
-  for (const double v : volume) {
-    const double g0 = v * g[column];
-    const double g1 = v * g[column + 1];
-    for (int a = 0; a < A; ++a) {
-      first[a] += g0 * g[row + a];
-      second[a] += g1 * g[row + a];
-    }
-    g += 2 * N;
-  }
-  for (int a = 0; a < A; ++a) {
-    moments(row + a, column) = first[a];
-    moments(row + a, column + 1) = second[a];
-  }
-}
-
-/// Adds the lower half of Σ V g gᵀ.
-template <int N>
-void add_products(std::span<const double> volume, const double* g, GradientMoments<N>& moments) {
-  for (Eigen::Index column = 0; column < 2 * N; column += 2) {
-    Eigen::Index row = column;
-    for (; row + 6 <= 2 * N; row += 6) add_tile<6, N>(volume, g, row, column, moments);
-    for (; row < 2 * N; row += 2) add_tile<2, N>(volume, g, row, column, moments);
-  }
-}
+using BlockOf = Eigen::Matrix<double, 2 * N, 2 * N>;
 
 /// What a cell's points add up to where gradients are linear there: products with m = (1, ξ, η).
 struct LinearMoments {
@@ -88,8 +49,8 @@ LinearMoments moments_of(const StepState& step, Index c, const LinearCell& cell)
 }
 
 /// Bᵀ D B summed over points, from the moments of their gradients: block (a, b) is linear in Σ V g_a g_bᵀ, (E.5).
-template <int N>
-void add_stiffness(const GradientMoments<N>& moments, const Mat3& d, Eigen::Matrix<double, 2 * N, 2 * N>& stiffness) {
+template <int N, class Moments>
+void add_stiffness(const Moments& moments, const Mat3& d, BlockOf<N>& stiffness) {
   for (int b = 0; b < N; ++b)
     for (int a = b; a < N; ++a) {
       const Mat2 m = moments.template block<2, 2>(2 * a, 2 * b);
@@ -101,6 +62,27 @@ void add_stiffness(const GradientMoments<N>& moments, const Mat3& d, Eigen::Matr
       stiffness.template block<2, 2>(2 * a, 2 * b) += k;
     }
 }
+
+/// @param sums  (2N and more, 4) Σ V σ_k g, k = xx, yy, xy, zz
+template <int N, class Sums>
+void subtract_internal_force(const Sums& sums, Eigen::Map<Eigen::VectorXd> force) {
+  for (int a = 0; a < N; ++a) {
+    force[2 * a] -= sums(2 * a, 0) + sums(2 * a + 1, 2);
+    force[2 * a + 1] -= sums(2 * a + 1, 1) + sums(2 * a, 2);
+  }
+}
+
+/// What a thread needs for the points of one cell after the other.
+struct PointMemory {
+  explicit PointMemory(const StepState& step) : basis(step.basis, step.supports) {
+    volume.reserve(static_cast<std::size_t>(step.supports.most));
+    stress.reserve(4 * static_cast<std::size_t>(step.supports.most));
+  }
+
+  BasisAtPoints basis;
+  std::vector<double> volume;
+  std::vector<double> stress;  ///< (4) times volume, of point after point
+};
 
 class Stiffness final : public Contribution {
  public:
@@ -132,9 +114,7 @@ class Stiffness final : public Contribution {
     const bool linear = material_->constant_tangent() && step.basis.gradient_degree() <= 1;
 #pragma omp parallel if (worth_threads(step.supports.point.size()))
     {
-      BasisAtPoints basis(step.basis, step.supports);
-      std::vector<double> volume;
-      volume.reserve(static_cast<std::size_t>(step.supports.most));
+      PointMemory memory(step);
 #pragma omp for schedule(static)
       for (Index c = 0; c < step.supports.cells(); ++c) {
         const std::size_t block = begin + static_cast<std::size_t>(c);
@@ -143,7 +123,7 @@ class Stiffness final : public Contribution {
         if (linear)
           add_linear_cell<N>(step, c, block, blocks);
         else
-          add_cell<N>(step, c, block, basis, volume, blocks);
+          add_cell<N>(step, c, block, memory, blocks);
       }
     }
   }
@@ -161,62 +141,51 @@ class Stiffness final : public Contribution {
     coefficient.col(2) -= coefficient.col(0);
 
     const Eigen::Matrix<double, 2 * N, 3> weighted = coefficient.lazyProduct(sums.volume);
-    const GradientMoments<N> moments = weighted.lazyProduct(coefficient.transpose());
-    GradientMoments<N> stiffness = GradientMoments<N>::Zero();
+    const BlockOf<N> moments = weighted.lazyProduct(coefficient.transpose());
+    BlockOf<N> stiffness = BlockOf<N>::Zero();
     add_stiffness<N>(moments, material_->tangent(Stress::Zero()), stiffness);
     blocks.add(block, stiffness);
     if (step.loading != Loading::residual) return;
-    const Eigen::Matrix<double, 2 * N, 4> along =
-        coefficient.lazyProduct(sums.stress.transpose());  // ∂φ times xx, yy, xy
-    auto force = blocks.force_of(block);
-    for (int a = 0; a < N; ++a) {
-      force[2 * a] -= along(2 * a, 0) + along(2 * a + 1, 2);
-      force[2 * a + 1] -= along(2 * a + 1, 1) + along(2 * a, 2);
-    }
+    const Eigen::Matrix<double, 2 * N, 4> along = coefficient.lazyProduct(sums.stress.transpose());
+    subtract_internal_force<N>(along, blocks.force_of(block));
   }
 
   template <int N>
-  void add_cell(const StepState& step, Index c, std::size_t block, BasisAtPoints& basis, std::vector<double>& volume,
-                ElementBlocks& blocks) const {
+  void add_cell(const StepState& step, Index c, std::size_t block, PointMemory& memory, ElementBlocks& blocks) const {
     const Index first = step.supports.first[static_cast<std::size_t>(c)];
     const Index last = step.supports.first[static_cast<std::size_t>(c) + 1];
-    basis.evaluate(c);
-    volume.clear();
+    memory.basis.evaluate(c);
+    const double* const gradient = memory.basis.gradient(first);
+    memory.volume.clear();
     for (Index k = first; k < last; ++k)
-      volume.push_back(step.points.volume[step.supports.point[static_cast<std::size_t>(k)]]);
+      memory.volume.push_back(step.points.volume[step.supports.point[static_cast<std::size_t>(k)]]);
 
     GradientMoments<N> moments = GradientMoments<N>::Zero();
-    GradientMoments<N> stiffness = GradientMoments<N>::Zero();
+    BlockOf<N> stiffness = BlockOf<N>::Zero();
     if (material_->constant_tangent()) {
-      add_products<N>(volume, basis.gradient(first), moments);
+      add_products(N, memory.volume, gradient, moments.data());
       add_stiffness<N>(moments, material_->tangent(Stress::Zero()), stiffness);
     } else {
       for (Index k = first; k < last; ++k) {
-        const std::span<const double> own(&volume[static_cast<std::size_t>(k - first)], 1);
+        const std::span<const double> own(&memory.volume[static_cast<std::size_t>(k - first)], 1);
         moments.setZero();
-        add_products<N>(own, basis.gradient(k), moments);
+        add_products(N, own, memory.basis.gradient(k), moments.data());
         const Index p = step.supports.point[static_cast<std::size_t>(k)];
         add_stiffness<N>(moments, material_->tangent(step.points.stress.col(p)), stiffness);
       }
     }
     blocks.add(block, stiffness);
-    if (step.loading == Loading::residual) subtract_internal_force<N>(step, first, last, basis, blocks.force_of(block));
-  }
+    if (step.loading != Loading::residual) return;
 
-  template <int N>
-  static void subtract_internal_force(const StepState& step, Index first, Index last, const BasisAtPoints& basis,
-                                      Eigen::Map<Eigen::VectorXd> force) {
-    Gradients<N> sum = Gradients<N>::Zero();
+    memory.stress.clear();
     for (Index k = first; k < last; ++k) {
       const Index p = step.supports.point[static_cast<std::size_t>(k)];
-      const Vec3 s = step.points.volume[p] * step.points.stress.col(p).template head<3>();
-      const double* const g = basis.gradient(k);
-      for (int a = 0; a < N; ++a) {
-        sum[2 * a] += g[2 * a] * s[0] + g[2 * a + 1] * s[2];
-        sum[2 * a + 1] += g[2 * a + 1] * s[1] + g[2 * a] * s[2];
-      }
+      const Stress weighted = step.points.volume[p] * step.points.stress.col(p);
+      memory.stress.insert(memory.stress.end(), weighted.begin(), weighted.end());
     }
-    force -= sum;
+    GradientSums<N> sums = GradientSums<N>::Zero();
+    add_sums(N, memory.stress, gradient, sums.data());
+    subtract_internal_force<N>(sums, blocks.force_of(block));
   }
 
   std::shared_ptr<const Material> material_;
