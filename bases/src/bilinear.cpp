@@ -12,7 +12,7 @@ ShortIndices BilinearBasis::functions_of(Index cell) const {
 template <class Point, class Number>
 SHORELINE_INLINE void BilinearBasis::evaluate_all(Index cell, std::span<const Point> x, Number* value,
                                                   Number* gradient) const {
-  const Vec2 corner = grid_.corner(cell);
+  const Vec2 corner(grid_.line(0, cell % grid_.columns()), grid_.line(1, cell / grid_.columns()));
   const Vec2 inverse = grid_.spacing().cwiseInverse();
   for (const Point& point : x) {
     const Number r = (point[0] - corner.x()) * inverse.x();

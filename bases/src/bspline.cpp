@@ -111,9 +111,11 @@ template <int P, class Point, class Number>
 SHORELINE_INLINE void BSplineBasis::evaluate_degree(Index cell, std::span<const Point> x, Number* value,
                                                     Number* gradient) const {
   using Coefficients = Eigen::Matrix<double, P + 1, P + 1>;
-  const Eigen::Map<const Coefficients> column(column_[at(cell % grid_.columns())].data());
-  const Eigen::Map<const Coefficients> row(row_[at(cell / grid_.columns())].data());
-  const Vec2 corner = grid_.corner(cell);
+  const Index i = cell % grid_.columns();
+  const Index j = cell / grid_.columns();
+  const Eigen::Map<const Coefficients> column(column_[at(i)].data());
+  const Eigen::Map<const Coefficients> row(row_[at(j)].data());
+  const Vec2 corner(grid_.line(0, i), grid_.line(1, j));
   const Vec2 inverse = grid_.spacing().cwiseInverse();
   for (const Point& point : x) {
     const auto in_x = splines<P, Number>(column, (point[0] - corner.x()) * inverse.x());

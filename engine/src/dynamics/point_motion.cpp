@@ -63,22 +63,23 @@ void note(Fault fault, std::size_t point, MotionReport& report) {
   }
 }
 
-/// Notes the points that cannot go on; for them, the field becomes one in which they stay.
-/// @param pic  share of the field in their velocities, which becomes 0
-void hold_back(const std::array<std::size_t, lanes>& point, const Step& step, double farthest, FieldLanes& field,
-               Lanes& pic, MotionReport& report) {
+/// Notes the points that cannot go on.
+/// @return the field, but one in which they stay
+FieldLanes held_back(const std::array<std::size_t, lanes>& point, Step step, double farthest, FieldLanes field,
+                     MotionReport& report) {
   for (std::size_t l = 0; l < lanes; ++l) {
     const Fault fault = fault_of(step.j[l], step.x[l] * step.x[l] + step.y[l] * step.y[l], farthest);
     if (fault == Fault::none) continue;
     note(fault, point[l], report);
-    for (Lanes* const part : {&field.x, &field.y, &field.xx, &field.xy, &field.yx, &field.yy, &pic}) (*part)[l] = 0.0;
+    for (Lanes* const part : {&field.x, &field.y, &field.xx, &field.xy, &field.yx, &field.yy}) (*part)[l] = 0.0;
   }
+  return field;
 }
 
 /// Moves four points.
 template <int N>
 SHORELINE_INLINE void move_group(const Chunk<N>& chunk, std::size_t q, const MovingPoints& points,
-                                 const FieldLanes& field, const Step& step, const Lanes& pic, Moved& moved) {
+                                 const FieldLanes& field, const Step& step, double pic, Moved& moved) {
   LanePoint displacement = chunk.load_two(q, points.state.displacement.data());
   moved.position[q] = {chunk.x[q][0] + step.x, chunk.x[q][1] + step.y};
   displacement[0] += step.x;
@@ -141,15 +142,14 @@ SHORELINE_CLONES void move_in(Index begin, Index end, const Ground& on, const Mo
       for_chunks<N, Needs::gradients>(
           on.basis, points.state, supports, c, [&](const Chunk<N>& chunk) SHORELINE_INLINED {
             for (std::size_t q = 0; q < chunk.groups; ++q) {
-              Lanes pic = motion.pic;
               FieldLanes field = field_at<N>(chunk, q, velocity);
               const LaneTensor d = chunk.load_four(q, points.motion.deformation.data());
               Step step = step_of(field, d, motion.dt);
               if (!all_go(step, reach)) {
-                hold_back(chunk.point[q], step, reach, field, pic, report);
+                field = held_back(chunk.point[q], step, reach, field, report);
                 step = step_of(field, d, motion.dt);
               }
-              move_group(chunk, q, points, field, step, pic, moved);
+              move_group(chunk, q, points, field, step, motion.pic, moved);
             }
             on.law.update({moved.stress.data(), chunk.groups}, {moved.increment.data(), chunk.groups},
                           {moved.deformation.data(), chunk.groups});

@@ -25,10 +25,15 @@ struct alignas(lanes * sizeof(double)) Lanes {
   using Vector = double __attribute__((vector_size(lanes * sizeof(double))));
 
   Lanes() = default;
+  SHORELINE_INLINE Lanes(const Lanes& other) : v(other.v) {}  // as a vector: the implicit copy goes through memory
   SHORELINE_INLINE Lanes(Vector vector) : v(vector) {}
   SHORELINE_INLINE Lanes(double all) : v{all, all, all, all} {}
   SHORELINE_INLINE Lanes(double a, double b, double c, double d) : v{a, b, c, d} {}
 
+  SHORELINE_INLINE Lanes& operator=(const Lanes& other) {
+    v = other.v;
+    return *this;
+  }
   [[nodiscard]] SHORELINE_INLINE double operator[](std::size_t lane) const { return v[lane]; }
   [[nodiscard]] SHORELINE_INLINE double& operator[](std::size_t lane) { return reinterpret_cast<double*>(&v)[lane]; }
 
