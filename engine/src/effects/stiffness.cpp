@@ -49,11 +49,12 @@ LinearMoments moments_of(const StepState& step, Index c, const LinearCell& cell)
 }
 
 /// Bᵀ D B summed over points, from the moments of their gradients: block (a, b) is linear in Σ V g_a g_bᵀ, (E.5).
+/// @param moments  gives Σ V g_a g_bᵀ of two functions, a ≥ b
 template <int N, class Moments>
-void add_stiffness(const Moments& moments, const Mat3& d, BlockOf<N>& stiffness) {
+void add_stiffness(Moments&& moments, const Mat3& d, BlockOf<N>& stiffness) {
   for (int b = 0; b < N; ++b)
     for (int a = b; a < N; ++a) {
-      const Mat2 m = moments.template block<2, 2>(2 * a, 2 * b);
+      const Mat2 m = moments(a, b);
       Mat2 k;
       k(0, 0) = d(0, 0) * m(0, 0) + d(0, 2) * m(0, 1) + d(2, 0) * m(1, 0) + d(2, 2) * m(1, 1);
       k(0, 1) = d(0, 1) * m(0, 1) + d(0, 2) * m(0, 0) + d(2, 1) * m(1, 1) + d(2, 2) * m(1, 0);
@@ -141,7 +142,9 @@ class Stiffness final : public Contribution {
     coefficient.col(2) -= coefficient.col(0);
 
     const Eigen::Matrix<double, 2 * N, 3> weighted = coefficient.lazyProduct(sums.volume);
-    const BlockOf<N> moments = weighted.lazyProduct(coefficient.transpose());
+    const auto moments = [&](int a, int b) -> Mat2 {
+      return weighted.template middleRows<2>(2 * a).lazyProduct(coefficient.template middleRows<2>(2 * b).transpose());
+    };
     BlockOf<N> stiffness = BlockOf<N>::Zero();
     add_stiffness<N>(moments, material_->tangent(Stress::Zero()), stiffness);
     blocks.add(block, stiffness);
@@ -162,16 +165,17 @@ class Stiffness final : public Contribution {
 
     GradientMoments<N> moments = GradientMoments<N>::Zero();
     BlockOf<N> stiffness = BlockOf<N>::Zero();
+    const auto moments_of = [&](int a, int b) -> Mat2 { return moments.template block<2, 2>(2 * a, 2 * b); };
     if (material_->constant_tangent()) {
       add_products(N, memory.volume, gradient, moments.data());
-      add_stiffness<N>(moments, material_->tangent(Stress::Zero()), stiffness);
+      add_stiffness<N>(moments_of, material_->tangent(Stress::Zero()), stiffness);
     } else {
       for (Index k = first; k < last; ++k) {
         const std::span<const double> own(&memory.volume[static_cast<std::size_t>(k - first)], 1);
         moments.setZero();
         add_products(N, own, memory.basis.gradient(k), moments.data());
         const Index p = step.supports.point[static_cast<std::size_t>(k)];
-        add_stiffness<N>(moments, material_->tangent(step.points.stress.col(p)), stiffness);
+        add_stiffness<N>(moments_of, material_->tangent(step.points.stress.col(p)), stiffness);
       }
     }
     blocks.add(block, stiffness);
