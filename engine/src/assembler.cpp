@@ -231,9 +231,11 @@ void Assembler::assemble(const ElementBlocks& blocks, SparseMatrix& matrix, Eige
     const auto high = static_cast<Index>(row_.size() * (me + 1) / threads);
     std::fill(matrix.value.begin() + low, matrix.value.begin() + high, 0.0);
     for (std::size_t b = 0; b < blocks.size(); ++b) {
-      if (places_[b].second < low || places_[b].first >= high) continue;
+      const auto [first, last] = places_[b];
+      if (last < low || first >= high) continue;
+      const bool all = first >= low && last < high;
       for (std::size_t k = blocks.entry[b]; k < blocks.entry[b + 1]; ++k)
-        if (place_[k] >= low && place_[k] < high) matrix.value[at(place_[k])] += blocks.matrix[k];
+        if (all || (place_[k] >= low && place_[k] < high)) matrix.value[at(place_[k])] += blocks.matrix[k];
     }
     for (const Share& s : shares_)
       if (s.place >= low && s.place < high) matrix.value[at(s.place)] += s.factor * blocks.matrix[s.entry];
