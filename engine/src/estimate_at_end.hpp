@@ -14,8 +14,8 @@ namespace shoreline {
 /// @param supports  where the last step found its strains
 template <class Record>
 void estimate_at_end(const Scene& scene, const PointSupports& supports, Record& record) {
-  record.error_estimate =
-      timed_effect(record, "estimate", "error_estimate", [&] { return error_estimate(*scene.basis, scene.points, supports); });
+  record.error_estimate = timed_effect(record, "estimate", "error_estimate",
+                                       [&] { return error_estimate(*scene.basis, scene.points, supports); });
   const Index functions = record.error_estimate->functions;
   if (scene.points.size() >= 2 * functions) return;
   record.warnings.push_back(
