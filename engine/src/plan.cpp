@@ -62,16 +62,13 @@ double predicted_bytes(const Scene& scene, const PointSupports& supports, const 
 
 EffectList effects_of(const Case& problem, const Scene& scene) {
   EffectList list;
-  const auto optional = [&](bool named, const char* name, const char* needs, const char* why) {
-    list.add(named, name, needs, why);
-  };
   add_common_effects(problem, scene, list);
-  optional(scene.samples.has_value(), "samples", "places of their own, carried along", "no key samples");
-  optional(problem.condition_estimate, "condition_estimate", "some solutions with the factors",
+  list.add(scene.samples.has_value(), "samples", "places of their own, carried along", "no key samples");
+  list.add(problem.condition_estimate, "condition_estimate", "some solutions with the factors",
            "diagnostics.condition_estimate is false");
-  optional(problem.cut_fractions, "cut_fractions", "the outline in cut cells; the factor's pivots",
+  list.add(problem.cut_fractions, "cut_fractions", "the outline in cut cells; the factor's pivots",
            "diagnostics.cut_fractions is false");
-  optional(problem.strain_energy, "strain_energy", "strain and stress of the material points",
+  list.add(problem.strain_energy, "strain_energy", "strain and stress of the material points",
            "diagnostics.strain_energy is false");
   const auto never = [&](bool named, const char* name, const char* why) {
     if (!named) list.left_out.push_back({name, why});
