@@ -9,7 +9,7 @@
 namespace shoreline {
 namespace {
 
-std::size_t at(Index i) { return static_cast<std::size_t>(i); }
+std::size_t at(Eigen::Index i) { return static_cast<std::size_t>(i); }
 
 /// Open uniform knot @p number over @p spans spans of length 1.
 double knot(Index number, Index spans, int degree) { return std::clamp(number - degree, Index{0}, spans); }
@@ -158,6 +158,13 @@ SHORELINE_CLONES void BSplineBasis::evaluate_lanes(Index cell, std::span<const L
 
 void BSplineBasis::evaluate(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const {
   evaluate_lanes(cell, x, value, gradient);
+}
+
+std::optional<ProductCell> BSplineBasis::product_cell(Index cell) const {
+  const SpanPolynomials& column = column_[at(cell % grid_.columns())];
+  const SpanPolynomials& row = row_[at(cell / grid_.columns())];
+  const auto coefficients = [](const SpanPolynomials& c) { return std::span(c.data(), at(c.size())); };
+  return ProductCell{grid_.corner(cell), grid_.spacing(), coefficients(column), coefficients(row)};
 }
 
 ShortCurvatures BSplineBasis::curvatures(Index cell, const Vec2& x) const {

@@ -40,7 +40,7 @@ BasisAtPoints::BasisAtPoints(const Basis& basis, const PointSupports& supports, 
     : basis_(&basis), supports_(&supports) {
   const auto most = static_cast<std::size_t>(supports.most) * static_cast<std::size_t>(supports.functions);
   value_.resize(most);
-  if (what == Evaluate::values_and_gradients) gradient_.resize(2 * most + 2);
+  if (what == Evaluate::values_and_gradients) gradient_.resize(2 * most);
 }
 
 void BasisAtPoints::evaluate(Index c) {

@@ -1,5 +1,7 @@
 #include "move_points.hpp"
 
+#include <array>
+
 #include "linear_cell.hpp"
 #include "threads.hpp"
 
@@ -48,6 +50,51 @@ class LinearMotion {
   std::array<Mat2, 3> gradient_{Mat2::Zero(), Mat2::Zero(), Mat2::Zero()};  ///< at the origin, and what ξ, η add
 };
 
+/// The motion in a cell whose functions are products: one polynomial, Σ c_rs ξ^r η^s.
+template <int P>
+class ProductMotion {
+ public:
+  ProductMotion(const StepMotion& motion, const ProductCell& cell, const ShortIndices& functions)
+      : corner_(cell.corner), inverse_(cell.size.cwiseInverse()) {
+    using Factors = Eigen::Matrix<double, P + 1, P + 1>;
+    const Eigen::Map<const Factors> x(cell.x.data());
+    const Eigen::Map<const Factors> y(cell.y.data());
+    for (const Eigen::Index component : {0, 1}) {
+      Factors d;
+      for (Eigen::Index a = 0; a < functions.size(); ++a) d.data()[a] = motion.increment(component, functions[a]);
+      const Factors in_x = x.transpose().lazyProduct(d);
+      const Factors c = in_x.lazyProduct(y);
+      for (int r = 0; r <= P; ++r)
+        for (int s = 0; s <= P; ++s) coefficient_[r][s][component] = c(r, s);
+    }
+  }
+
+  /// Horner's scheme in η for each power of ξ, and then in ξ.
+  [[nodiscard]] Motion at(const Vec2& x) const {
+    const Vec2 xi = (x - corner_).cwiseProduct(inverse_);
+    Vec2 u = Vec2::Zero(), along_x = Vec2::Zero(), along_y = Vec2::Zero();
+    for (int r = P; r >= 0; --r) {
+      Vec2 f = coefficient_[r][P];
+      Vec2 slope = Vec2::Zero();
+      for (int s = P - 1; s >= 0; --s) {
+        slope = slope * xi.y() + f;
+        f = f * xi.y() + coefficient_[r][s];
+      }
+      along_x = along_x * xi.x() + u;
+      along_y = along_y * xi.x() + slope;
+      u = u * xi.x() + f;
+    }
+    Motion motion{u, {}};
+    motion.gradient << along_x * inverse_.x(), along_y * inverse_.y();
+    return motion;
+  }
+
+ private:
+  Vec2 corner_;
+  Vec2 inverse_;
+  std::array<std::array<Vec2, P + 1>, P + 1> coefficient_;
+};
+
 /// @param d  (2, n) increments of the functions here
 Motion motion_at(const ShortGradients& d, const double* value, const double* gradient) {
   Motion sum{Vec2::Zero(), Mat2::Zero()};
@@ -78,22 +125,31 @@ void move_points(const StepMotion& motion, const PointSupports& supports, Materi
     BasisAtPoints basis(motion.basis, supports);
 #pragma omp for schedule(static)
     for (Index c = 0; c < supports.cells(); ++c) {
-      const auto cell = static_cast<std::size_t>(c);
-      const auto first = static_cast<std::size_t>(supports.first[cell]);
-      const auto last = static_cast<std::size_t>(supports.first[cell + 1]);
-      const ShortIndices functions = motion.basis.functions_of(supports.cell[cell]);
-      if (linear) {
-        const LinearMotion here(motion, supports.cell[cell], supports.place[first], functions);
+      const Index cell = supports.cell[static_cast<std::size_t>(c)];
+      const auto first = static_cast<std::size_t>(supports.first[static_cast<std::size_t>(c)]);
+      const auto last = static_cast<std::size_t>(supports.first[static_cast<std::size_t>(c) + 1]);
+      const auto move_by = [&](const auto& motion_at_point) {
         for (std::size_t k = first; k < last; ++k)
-          move_point(here.at(supports.place[k]), motion.material, supports.point[k], points);
-        continue;
-      }
-      ShortGradients d(2, functions.size());
-      for (Eigen::Index a = 0; a < functions.size(); ++a) d.col(a) = motion.increment.col(functions[a]);
-      basis.evaluate(c);
-      for (std::size_t k = first; k < last; ++k) {
-        const auto at = static_cast<Index>(k);
-        move_point(motion_at(d, basis.value(at), basis.gradient(at)), motion.material, supports.point[k], points);
+          move_point(motion_at_point(k), motion.material, supports.point[k], points);
+      };
+      const auto move_in = [&](const auto& here) {
+        move_by([&](std::size_t k) { return here.at(supports.place[k]); });
+      };
+      const ShortIndices functions = motion.basis.functions_of(cell);
+      if (linear) {
+        move_in(LinearMotion(motion, cell, supports.place[first], functions));
+      } else if (const auto product = motion.basis.product_cell(cell)) {
+        if (motion.basis.degree() == 2)
+          move_in(ProductMotion<2>(motion, *product, functions));
+        else
+          move_in(ProductMotion<3>(motion, *product, functions));
+      } else {
+        ShortGradients d(2, functions.size());
+        for (Eigen::Index a = 0; a < functions.size(); ++a) d.col(a) = motion.increment.col(functions[a]);
+        basis.evaluate(c);
+        move_by([&](std::size_t k) {
+          return motion_at(d, basis.value(static_cast<Index>(k)), basis.gradient(static_cast<Index>(k)));
+        });
       }
     }
   }

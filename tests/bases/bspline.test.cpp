@@ -75,6 +75,28 @@ TEST_CASE("the border is interpolated: one function is 1 at a corner of the grid
   }
 }
 
+TEST_CASE("functions of a cell are the products of its factors", "[bases][bspline]") {
+  test::Random random(6);
+  for (const int degree : {1, 2, 3}) {
+    const BSplineBasis basis(random.grid(), degree);
+    const int n = degree + 1;
+    for (Index cell = 0; cell < basis.grid().cells(); ++cell) {
+      const ProductCell product = *basis.product_cell(cell);
+      const Vec2 xi = random.in({Vec2::Zero(), Vec2::Ones()});
+      const auto factor = [&](std::span<const double> c, int function, double at) {
+        double sum = 0.0;
+        for (int power = degree; power >= 0; --power)
+          sum = sum * at + c[static_cast<std::size_t>(function + power * n)];
+        return sum;
+      };
+      const Support support = basis.support(cell, product.corner + product.size.cwiseProduct(xi));
+      for (int a = 0; a < n * n; ++a)
+        CHECK_THAT(factor(product.x, a % n, xi.x()) * factor(product.y, a / n, xi.y()),
+                   WithinAbs(support.value[a], 1e-13));
+    }
+  }
+}
+
 TEST_CASE("a degree that is not there is refused", "[bases][bspline]") {
   for (const int degree : {-1, 0, 4})
     CHECK_THROWS_WITH(BSplineBasis({{0, 0}, {1, 1}, {2, 2}}, degree),

@@ -12,18 +12,6 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-class Anisotropic final : public Material {
- public:
-  [[nodiscard]] std::string name() const override { return "anisotropic"; }
-  [[nodiscard]] Stress updated(const Stress& stress, const Vec3& /*strain_increment*/) const override { return stress; }
-  [[nodiscard]] Mat3 tangent(const Stress& /*stress*/) const override {
-    Mat3 tangent;
-    tangent << 7.0, 2.0, -1.0, 2.0, 5.0, 0.5, -1.0, 0.5, 3.0;
-    return tangent;
-  }
-  [[nodiscard]] double stiffness() const override { return 5.0; }
-};
-
 double length_of(const Edge& edge) {
   double length = 0.0;
   for (const BoundaryPoint& p : edge.points) length += p.weight;
@@ -35,25 +23,6 @@ std::unique_ptr<Contribution> constant_traction(int piece, const Vec2& value) {
 }
 
 }  // namespace
-
-TEST_CASE("the stiffness of a cell is the sum of B^T D B V over its points, for every symmetric D",
-          "[engine][effects]") {
-  const Scene scene = build_scene(test::compression_case({.angle = 0.6, .cells = 4, .per_cell = 2}));
-  const test::Step step(scene);
-  const auto law = std::make_shared<Anisotropic>();
-  const ElementBlocks blocks = test::blocks_of(*stiffness_of(law), step.state);
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    const Index cell = step.supports.cell[b];
-    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(8, 8);
-    for (Index p = 0; p < scene.points.size(); ++p) {
-      const Vec2 x = scene.points.position.col(p);
-      if (scene.basis->grid().locate(x, 0) != cell) continue;
-      const Eigen::MatrixXd strain = strain_operator(scene.basis->support(cell, x).gradient);
-      sum += scene.points.volume[p] * strain.transpose() * law->tangent(Stress::Zero()) * strain;
-    }
-    CHECK((test::block_matrix(blocks, b) - sum).norm() <= 1e-13 * sum.norm());
-  }
-}
 
 TEST_CASE("the stiffness of a cell is positive semidefinite and resists no rigid motion", "[engine][effects]") {
   const Scene scene = test::turned_square();

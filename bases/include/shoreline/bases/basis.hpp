@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "shoreline/bases/grid.hpp"
@@ -28,6 +29,15 @@ struct Support {
   [[nodiscard]] Vec2 interpolate(const Eigen::Matrix2Xd& coefficient) const;
   /// ∇u with (∇u)_ij = ∂u_i/∂x_j of such a field.
   [[nodiscard]] Mat2 gradient_of(const Eigen::Matrix2Xd& coefficient) const;
+};
+
+/// A cell whose functions are products X_i(ξ) Y_j(η) of polynomials of degree p, (ξ, η) = (x − corner)/size. Function
+/// (i, j) is the one at i + j·(p + 1).
+struct ProductCell {
+  Vec2 corner;                ///< [m]
+  Vec2 size;                  ///< [m]
+  std::span<const double> x;  ///< ((p + 1)²) coefficients of X_i, function fastest, then power; the basis owns them
+  std::span<const double> y;  ///< likewise of Y_j
 };
 
 /// Functions φ_i on the cells of a grid. Two questions: which cell holds x (the grid's), and what is there (evaluate).
@@ -69,6 +79,9 @@ class Basis {
 
   /// The same at points side by side, which takes little more time than one of each four.
   virtual void evaluate(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const = 0;
+
+  /// The factors of a cell's functions; none where they are not such products, or cheap without.
+  [[nodiscard]] virtual std::optional<ProductCell> product_cell(Index /*cell*/) const { return std::nullopt; }
 
   /// Second derivatives (∂xx, ∂yy, ∂xy) at one point by the polynomials of one cell [1/m²].
   [[nodiscard]] virtual ShortCurvatures curvatures(Index cell, const Vec2& x) const = 0;

@@ -27,6 +27,7 @@ class BSplineBasis final : public Basis {
   [[nodiscard]] Vec2 control_point(Index function) const override;
   void evaluate(Index cell, std::span<const Vec2> x, double* value, double* gradient) const override;
   void evaluate(Index cell, std::span<const LanePoint> x, Lanes* value, Lanes* gradient) const override;
+  [[nodiscard]] std::optional<ProductCell> product_cell(Index cell) const override;
   [[nodiscard]] ShortCurvatures curvatures(Index cell, const Vec2& x) const override;
 
  private:

@@ -61,7 +61,7 @@ class BasisAtPoints {
 
   /// (n) values at the k-th point in the order of cells. @pre one of the cell that was evaluated last
   [[nodiscard]] const double* value(Index k) const { return value_.data() + (k - begin_) * supports_->functions; }
-  /// (2n) ∂x, ∂y of each function there [1/m], and two numbers that may be read. @pre it evaluates gradients, too
+  /// (2n) ∂x, ∂y of each function there [1/m]. @pre it evaluates gradients, too
   [[nodiscard]] const double* gradient(Index k) const {
     return gradient_.data() + 2 * (k - begin_) * supports_->functions;
   }
