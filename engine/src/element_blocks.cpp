@@ -12,6 +12,7 @@ std::size_t ElementBlocks::append(std::size_t count, Index n) {
     entry.push_back(entry.back() + m * (m + 1) / 2);
   }
   function.resize(static_cast<std::size_t>(first.back()));
+  matrix.reserve(entry.back() + entry.back() / 8);  // a few blocks more shall not move all of these
   matrix.resize(entry.back(), 0.0);
   force.resize(2 * function.size(), 0.0);
   return before;
