@@ -138,11 +138,10 @@ void move_points(const StepMotion& motion, const PointSupports& supports, Materi
       const ShortIndices functions = motion.basis.functions_of(cell);
       if (linear) {
         move_in(LinearMotion(motion, cell, supports.place[first], functions));
-      } else if (const auto product = motion.basis.product_cell(cell)) {
-        if (motion.basis.degree() == 2)
-          move_in(ProductMotion<2>(motion, *product, functions));
-        else
-          move_in(ProductMotion<3>(motion, *product, functions));
+      } else if (const auto product = motion.basis.product_cell(cell); product && functions.size() == 9) {
+        move_in(ProductMotion<2>(motion, *product, functions));
+      } else if (product && functions.size() == 16) {
+        move_in(ProductMotion<3>(motion, *product, functions));
       } else {
         ShortGradients d(2, functions.size());
         for (Eigen::Index a = 0; a < functions.size(); ++a) d.col(a) = motion.increment.col(functions[a]);
